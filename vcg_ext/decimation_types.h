@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+namespace vcg_ext
+{
+
+/// A triangle mesh that somebody else owns, read in place.
+struct MeshView {
+    const void* positions = nullptr; ///< x of the first vertex
+    std::size_t positionStride = 0;  ///< bytes from one vertex to the next
+    bool doublePositions = false;    ///< coordinates are double, otherwise float
+    std::size_t vertexCount = 0;
+    const std::uint32_t* triangles = nullptr; ///< three vertex indices a face
+    std::size_t faceCount = 0;
+    const std::uint8_t* fixedVertices =
+        nullptr; ///< one byte a vertex, not 0: never moves and stays; may be null
+    const float* guidance =
+        nullptr; ///< descriptor in [0, 1] a vertex; null: the Laplacian descriptor is computed
+
+    std::array<double, 3> Position(std::size_t vertex) const
+    {
+        const auto* bytes = static_cast<const unsigned char*>(positions) + vertex * positionStride;
+        std::array<double, 3> p{};
+        if (doublePositions) {
+            std::memcpy(p.data(), bytes, sizeof p);
+        } else {
+            std::array<float, 3> q{};
+            std::memcpy(q.data(), bytes, sizeof q);
+            for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<double>(q[k]);
+        }
+        return p;
+    }
+};
+
+/// How open borders are treated.
+enum class Boundary {
+    Free,     ///< as any other edge
+    Preserve, ///< planes perpendicular to the border keep its course
+    Lock      ///< border vertices neither move nor go
+};
+
+/// Geometry against time.
+enum class Effort {
+    Fast,     ///< collapse only
+    Balanced, ///< and refinement
+    Best      ///< measured order and refinement
+};
+
+/// Who runs the collapses.
+enum class Order {
+    Sweeps, ///< the parallel engine on arrays
+    Strict  ///< VCG's LocalOptimization, one thread
+};
+
+enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancelled = 3 };
+
+/// Called on the calling thread with 0..100 and what is being done; false asks the run to stop.
+using Progress = std::function<bool(int percent, const char* stage)>;
+
+/// What a decimation does. The defaults are those of the filter.
+struct DecimationParameters {
+    std::size_t targetFaces = 0; ///< at least 1; as many faces as remain at the most, where it can be reached
+    double featureWeight = 2;    ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
+    Effort effort = Effort::Balanced;
+    Boundary boundary = Boundary::Preserve;
+    bool preserveTopology = false; ///< full link condition: handles and holes stay
+    Order order = Order::Sweeps;
+    int threads = 0;   ///< 0: all; the result does not depend on it
+    Progress progress; ///< may be empty
+};
+
+/// The outcome: a subset of the input's vertices and faces, vertices at new places, both in input order.
+struct DecimatedMesh {
+    std::vector<std::array<double, 3>> positions;
+    std::vector<std::uint32_t> vertexOrigin;             ///< the input vertex that each vertex was
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of positions
+    std::vector<std::uint32_t> faceOrigin;               ///< the input face that each face was
+    StopReason stopReason = StopReason::Target;
+};
+
+} // namespace vcg_ext

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <omp.h>
+
+namespace vcg_ext
+{
+
+/// Threads that a run uses: \p requested, or every available core where it is 0 or less.
+inline int ResolveThreads(int requested)
+{
+    return requested > 0 ? requested : std::max(1, omp_get_num_procs());
+}
+
+/// Calls body(item, thread) once for every item in [0, items), on \p threads threads, the next free thread
+/// taking the next item. Returns when all are done; the first exception of a body is thrown on.
+/// \pre bodies of different items share no data that one of them writes, so the outcome cannot depend on
+///      the number of threads
+template <class Body>
+void ParallelFor(int threads, std::size_t items, const Body& body)
+{
+    if (threads <= 1 || items <= 1) {
+        for (std::size_t item = 0; item < items; ++item) body(item, 0);
+        return;
+    }
+    std::exception_ptr failure;
+    const auto count = static_cast<std::ptrdiff_t>(items);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::ptrdiff_t item = 0; item < count; ++item) {
+        try {
+            body(static_cast<std::size_t>(item), omp_get_thread_num());
+        } catch (...) {
+#pragma omp critical(vcg_ext_parallel_failure)
+            if (!failure) failure = std::current_exception();
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+/// Calls body(begin, end, thread) for consecutive ranges that cover [0, items), about \p grain long each.
+/// The ranges depend on \p items and \p grain only. \pre as for ParallelFor, of different ranges; grain > 0
+template <class Body>
+void ParallelRanges(int threads, std::size_t items, std::size_t grain, const Body& body)
+{
+    ParallelFor(threads, (items + grain - 1) / grain, [&](std::size_t range, int thread) {
+        body(range * grain, std::min(items, (range + 1) * grain), thread);
+    });
+}
+
+} // namespace vcg_ext

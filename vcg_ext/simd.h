@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Four floats at once, on the compiler's portable vector types. Arithmetic and comparisons are the built-in
+// operators (a comparison gives an Int4 of 0 or -1 per lane). This is the only header with intrinsics; where
+// the processor has no SSE2 plain loops do the same. AVX2 is left out on purpose: its other order of
+// summation would make the bytes of a result depend on the processor.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace vcg_ext
+{
+
+typedef float Float4 __attribute__((vector_size(16)));
+typedef std::int32_t Int4 __attribute__((vector_size(16)));
+
+constexpr int kLanes = 4;
+
+inline Float4 Splat(float x)
+{
+    return Float4{x, x, x, x};
+}
+inline Int4 Splat(std::int32_t x)
+{
+    return Int4{x, x, x, x};
+}
+inline Int4 Bits(Float4 a)
+{
+    return reinterpret_cast<Int4>(a);
+}
+inline Float4 Floats(Int4 a)
+{
+    return reinterpret_cast<Float4>(a);
+}
+/// Per lane: \p yes where the mask is -1, \p no where it is 0.
+inline Float4 Select(Int4 mask, Float4 yes, Float4 no)
+{
+    return Floats((mask & Bits(yes)) | (~mask & Bits(no)));
+}
+inline Int4 Select(Int4 mask, Int4 yes, Int4 no)
+{
+    return (mask & yes) | (~mask & no);
+}
+
+#if defined(__SSE2__)
+/// \pre 16-byte aligned
+inline Float4 Load(const float* p)
+{
+    return _mm_load_ps(p);
+}
+inline Float4 LoadUnaligned(const float* p)
+{
+    return _mm_loadu_ps(p);
+}
+/// \pre 16-byte aligned
+inline void Store(float* p, Float4 a)
+{
+    _mm_store_ps(p, a);
+}
+inline void StoreUnaligned(float* p, Float4 a)
+{
+    _mm_storeu_ps(p, a);
+}
+inline Float4 Min(Float4 a, Float4 b)
+{
+    return _mm_min_ps(a, b);
+}
+inline Float4 Max(Float4 a, Float4 b)
+{
+    return _mm_max_ps(a, b);
+}
+inline Float4 Sqrt(Float4 a)
+{
+    return _mm_sqrt_ps(a);
+}
+/// Bit i is set where lane i of the mask is.
+inline int LaneBits(Int4 mask)
+{
+    return _mm_movemask_ps(Floats(mask));
+}
+/// Rows become columns.
+inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
+{
+    __m128 r0 = a, r1 = b, r2 = c, r3 = d;
+    _MM_TRANSPOSE4_PS(r0, r1, r2, r3);
+    a = r0;
+    b = r1;
+    c = r2;
+    d = r3;
+}
+inline void Prefetch(const void* p)
+{
+    _mm_prefetch(static_cast<const char*>(p), _MM_HINT_T0);
+}
+#else
+inline Float4 LoadUnaligned(const float* p)
+{
+    return Float4{p[0], p[1], p[2], p[3]};
+}
+inline Float4 Load(const float* p)
+{
+    return LoadUnaligned(p);
+}
+inline void StoreUnaligned(float* p, Float4 a)
+{
+    for (int i = 0; i < kLanes; ++i) p[i] = a[i];
+}
+inline void Store(float* p, Float4 a)
+{
+    StoreUnaligned(p, a);
+}
+inline Float4 Min(Float4 a, Float4 b)
+{
+    return Select(a < b, a, b);
+}
+inline Float4 Max(Float4 a, Float4 b)
+{
+    return Select(a > b, a, b);
+}
+inline Float4 Sqrt(Float4 a)
+{
+    return Float4{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+inline int LaneBits(Int4 mask)
+{
+    return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
+}
+inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
+{
+    const Float4 r0 = a, r1 = b, r2 = c, r3 = d;
+    a = Float4{r0[0], r1[0], r2[0], r3[0]};
+    b = Float4{r0[1], r1[1], r2[1], r3[1]};
+    c = Float4{r0[2], r1[2], r2[2], r3[2]};
+    d = Float4{r0[3], r1[3], r2[3], r3[3]};
+}
+inline void Prefetch(const void* p)
+{
+    __builtin_prefetch(p);
+}
+#endif
+
+inline bool AnyLane(Int4 mask)
+{
+    return LaneBits(mask) != 0;
+}
+inline bool AllLanes(Int4 mask)
+{
+    return LaneBits(mask) == 15;
+}
+/// The sum in one fixed order.
+inline float SumLanes(Float4 a)
+{
+    return (a[0] + a[1]) + (a[2] + a[3]);
+}
+inline float MinLane(Float4 a)
+{
+    return std::min(std::min(a[0], a[1]), std::min(a[2], a[3]));
+}
+inline float MaxLane(Float4 a)
+{
+    return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
+}
+/// -1 in the first \p count lanes, 0 in the others.
+inline Int4 FirstLanes(int count)
+{
+    return Int4{0, 1, 2, 3} < Splat(std::int32_t{count});
+}
+/// Four points of {x, y, z, payload} as three coordinate vectors and one of payloads.
+inline void LoadTransposed(const float* p0, const float* p1, const float* p2, const float* p3, Float4& x,
+                           Float4& y, Float4& z, Float4& payload)
+{
+    x = Load(p0);
+    y = Load(p1);
+    z = Load(p2);
+    payload = Load(p3);
+    Transpose(x, y, z, payload);
+}
+
+} // namespace vcg_ext
