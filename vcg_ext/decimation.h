@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+#include <vcg/complex/allocate.h>
+#include <vcg/complex/algorithms/update/topology.h>
+
+#include "decimation_types.h"
+#include "descriptor.h"
+#include "distance.h"
+#include "edge_counts.h"
+#include "mesh_arrays.h"
+#include "strict_decimation.h"
+#include "sweep_decimation.h"
+
+namespace vcg_ext
+{
+
+/// What the decimation of a VCG mesh needs beside the parameters of the collapse.
+struct MeshDecimationParameters : DecimationParameters {
+    bool selectedOnly = false;   ///< faces that are not selected keep their vertices and stay
+    bool measureError = true;    ///< fill DecimationReport::distances
+    std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
+};
+
+/// What was done. "Target not reached" is a report, not an error.
+struct DecimationReport {
+    std::size_t facesBefore = 0;
+    std::size_t faces = 0;
+    std::size_t vertices = 0;
+    bool targetReached = false;
+    StopReason stopReason = StopReason::Target;
+    std::optional<DistanceReport> distances;
+    EdgeCounts edges;
+    double seconds = 0; ///< wall time of collapse and refinement, without the measurement
+};
+
+struct Decimation {
+    DecimatedMesh mesh;
+    DecimationReport report;
+};
+
+/// Checks what does not depend on the mesh. \throws std::invalid_argument that names parameter, value and
+/// range
+inline void CheckParameters(const DecimationParameters& parameters)
+{
+    const double weight = parameters.featureWeight;
+    if (!(weight >= 0 && weight <= 50)) // negated, so NaN is refused too
+        throw std::invalid_argument("feature_weight = " + std::to_string(weight) + " is outside [0, 50]");
+    if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is below 1");
+    if (parameters.threads < 0)
+        throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is below 0");
+}
+
+/// Checks that the view can be decimated. \throws std::invalid_argument that says what is wrong, with the
+/// count
+inline void CheckMesh(const MeshView& view)
+{
+    if (view.faceCount == 0) throw std::invalid_argument("the mesh has no faces");
+    if (const std::size_t bad = CountNonFinite(view))
+        throw std::invalid_argument("the mesh has " + std::to_string(bad) +
+                                    " vertices with coordinates that are not finite numbers");
+}
+
+/// The collapse (and refinement) of a view by the order asked for.
+/// \pre CheckParameters and CheckMesh pass
+inline DecimatedMesh Decimate(const MeshView& view, const DecimationParameters& parameters)
+{
+    return parameters.order == Order::Strict ? DecimateStrict(view, parameters).mesh
+                                             : DecimateSweeps(view, parameters);
+}
+
+/// Decimates a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
+///
+/// \param mesh any VCG triangle mesh, float or double; deleted elements, unreferenced vertices, several
+///        components, borders and non-manifold edges are welcome
+/// \throws std::invalid_argument as CheckParameters and CheckMesh
+template <class Mesh>
+Decimation Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
+{
+    using Clock = std::chrono::steady_clock;
+    CheckParameters(parameters);
+    const MeshArrays<Mesh> arrays(mesh);
+    MeshView view = arrays.View();
+    CheckMesh(view);
+    std::vector<std::uint8_t> outside;
+    if (parameters.selectedOnly) {
+        outside = arrays.OutsideSelection(mesh);
+        view.fixedVertices = outside.data();
+    }
+    if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
+
+    Decimation result;
+    const auto start = Clock::now();
+    result.mesh = Decimate(view, parameters);
+    DecimationReport& report = result.report;
+    report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    report.facesBefore = view.faceCount;
+    report.faces = result.mesh.triangles.size();
+    report.vertices = result.mesh.positions.size();
+    report.stopReason = result.mesh.stopReason;
+    report.targetReached = report.faces <= parameters.targetFaces;
+    if (report.stopReason == StopReason::Cancelled) return result;
+    report.edges = CountEdges(report.faces, [&](std::size_t f) { return result.mesh.triangles[f]; });
+    if (parameters.measureError && report.faces > 0) {
+        const auto descriptor = ComputeDescriptor(view, Descriptor::Laplacian, parameters.threads);
+        report.distances = MeasureDistances(view, result.mesh, descriptor, 100000, parameters.threads);
+    }
+    return result;
+}
+
+namespace decimation_detail
+{
+
+/// An edge keeps its faux flag (diagonal of a polygon) only where both of its faces still carry it.
+template <class Mesh>
+void ClearHalfFauxEdges(Mesh& mesh)
+{
+    std::vector<std::uint64_t> faux;
+    const auto key = [&](const typename Mesh::FaceType& face, int k) {
+        const std::uint64_t a = vcg::tri::Index(mesh, face.cV0(k)), b = vcg::tri::Index(mesh, face.cV1(k));
+        return std::min(a, b) << 32 | std::max(a, b);
+    };
+    for (const auto& face : mesh.face)
+        for (int k = 0; k < 3; ++k)
+            if (!face.IsD() && face.IsF(k)) faux.push_back(key(face, k));
+    if (faux.empty()) return;
+    std::sort(faux.begin(), faux.end());
+    for (auto& face : mesh.face) {
+        for (int k = 0; k < 3; ++k) {
+            if (face.IsD() || !face.IsF(k)) continue;
+            const auto [first, last] = std::equal_range(faux.begin(), faux.end(), key(face, k));
+            if (last - first != 2) face.ClearF(k);
+        }
+    }
+}
+
+/// Adjacency pointers would be remapped through deleted elements: dropped before, built again after.
+template <class Mesh>
+void ForgetAdjacency(Mesh& mesh)
+{
+    if (vcg::tri::HasVFAdjacency(mesh)) {
+        for (auto& vertex : mesh.vert) vertex.VFClear();
+        for (auto& face : mesh.face)
+            for (int k = 0; k < 3; ++k) face.VFClear(k);
+    }
+    if (vcg::tri::HasFFAdjacency(mesh)) {
+        for (auto& face : mesh.face) {
+            for (int k = 0; k < 3; ++k) {
+                face.FFp(k) = nullptr;
+                face.FFi(k) = 0;
+            }
+        }
+    }
+}
+
+} // namespace decimation_detail
+
+/// Puts a result into the mesh it was made from: survivors keep their attributes, flags and selection,
+/// everything else that was on a face goes; the mesh is compact afterwards and adjacency is rebuilt where
+/// the mesh has it. Normals and the box are the caller's.
+/// \pre mesh has not changed since Decimate
+template <class Mesh>
+void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result)
+{
+    using Coord = typename Mesh::CoordType;
+    using Scalar = typename Mesh::ScalarType;
+    using Allocator = vcg::tri::Allocator<Mesh>;
+    std::vector<std::uint32_t> live; // index in mesh.face of every face of the view
+    std::vector<bool> wasUsed(mesh.vert.size()), staysUsed(mesh.vert.size());
+    for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+        if (mesh.face[f].IsD()) continue;
+        live.push_back(static_cast<std::uint32_t>(f));
+        for (int k = 0; k < 3; ++k) wasUsed[vcg::tri::Index(mesh, mesh.face[f].cV(k))] = true;
+    }
+    decimation_detail::ForgetAdjacency(mesh);
+    for (std::size_t v = 0; v < result.positions.size(); ++v) {
+        const auto& p = result.positions[v];
+        mesh.vert[result.vertexOrigin[v]].P() =
+            Coord(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]));
+        staysUsed[result.vertexOrigin[v]] = true;
+    }
+    std::size_t next = 0;
+    for (std::size_t f = 0; f < live.size(); ++f) {
+        auto& face = mesh.face[live[f]];
+        if (next == result.faceOrigin.size() || result.faceOrigin[next] != f) {
+            Allocator::DeleteFace(mesh, face);
+            continue;
+        }
+        bool changed = false;
+        for (int k = 0; k < 3; ++k) {
+            auto* vertex =
+                &mesh.vert[result.vertexOrigin[result.triangles[next][static_cast<std::size_t>(k)]]];
+            changed |= face.V(k) != vertex;
+            face.V(k) = vertex;
+        }
+        if (changed)
+            for (int k = 0; k < 3; ++k) face.ClearF(k);
+        ++next;
+    }
+    for (std::size_t v = 0; v < wasUsed.size(); ++v)
+        if (wasUsed[v] && !staysUsed[v]) Allocator::DeleteVertex(mesh, mesh.vert[v]);
+    decimation_detail::ClearHalfFauxEdges(mesh);
+    Allocator::CompactEveryVector(mesh);
+    if (vcg::tri::HasFFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::FaceFace(mesh);
+    if (vcg::tri::HasVFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::VertexFace(mesh);
+}
+
+} // namespace vcg_ext

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+
+#include "decimation_types.h"
+
+namespace vcg_ext
+{
+
+/// A VCG mesh as a MeshView: positions are read in place, the live faces' indices are written out once.
+/// Vertex indices are those of mesh.vert, deleted ones included; they are simply on no face.
+/// \pre the mesh outlives this object and is not changed while it is used
+template <class Mesh>
+class MeshArrays
+{
+    std::vector<std::uint32_t> triangles_;
+    std::vector<std::uint32_t> faceIndex_; // empty where no face is deleted
+    MeshView view_;
+
+  public:
+    explicit MeshArrays(const Mesh& mesh)
+    {
+        using Scalar = typename Mesh::ScalarType;
+        static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>);
+        triangles_.reserve(3 * static_cast<std::size_t>(mesh.fn));
+        const bool holes = mesh.face.size() != static_cast<std::size_t>(mesh.fn);
+        for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+            const auto& face = mesh.face[f];
+            if (face.IsD()) continue;
+            for (int k = 0; k < 3; ++k)
+                triangles_.push_back(static_cast<std::uint32_t>(vcg::tri::Index(mesh, face.cV(k))));
+            if (holes) faceIndex_.push_back(static_cast<std::uint32_t>(f));
+        }
+        if (!mesh.vert.empty()) view_.positions = &mesh.vert.front().cP()[0];
+        view_.positionStride = sizeof(typename Mesh::VertexType);
+        view_.doublePositions = std::is_same_v<Scalar, double>;
+        view_.vertexCount = mesh.vert.size();
+        view_.triangles = triangles_.data();
+        view_.faceCount = triangles_.size() / 3;
+    }
+    MeshArrays(const MeshArrays&) = delete;
+    MeshArrays& operator=(const MeshArrays&) = delete;
+
+    const MeshView& View() const { return view_; }
+
+    /// The index in mesh.face of the view's face.
+    std::size_t FaceIndex(std::size_t viewFace) const
+    {
+        return faceIndex_.empty() ? viewFace : faceIndex_[viewFace];
+    }
+
+    /// One byte a vertex: 1 on vertices of faces that are not selected. They must not move or go.
+    std::vector<std::uint8_t> OutsideSelection(const Mesh& mesh) const
+    {
+        std::vector<std::uint8_t> outside(view_.vertexCount, 0);
+        for (std::size_t f = 0; f < view_.faceCount; ++f) {
+            if (mesh.face[FaceIndex(f)].IsS()) continue;
+            for (std::size_t k = 0; k < 3; ++k) outside[view_.triangles[3 * f + k]] = 1;
+        }
+        return outside;
+    }
+};
+
+/// Referenced vertices with a coordinate that is not a finite number.
+inline std::size_t CountNonFinite(const MeshView& view)
+{
+    std::vector<bool> counted(view.vertexCount);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3 * view.faceCount; ++k) {
+        const std::uint32_t v = view.triangles[k];
+        if (counted[v]) continue;
+        counted[v] = true;
+        const auto p = view.Position(v);
+        count += !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+    }
+    return count;
+}
+
+} // namespace vcg_ext
