@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writers whose bytes depend on nothing but the mesh: binary PLY, OBJ with a texture, PNG."""
+
+import struct
+import zlib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+# Coordinates are rounded to this many decimals before they are written, so that the last bit of
+# a sine, which may differ from one processor to another, never reaches a file.
+DECIMALS = 5
+
+
+@dataclass
+class Mesh:
+    """Positions (n, 3) and faces (m, corners), all with as many corners."""
+
+    positions: np.ndarray
+    faces: np.ndarray
+
+
+@dataclass
+class TexturedMesh(Mesh):
+    """Texture coordinates, normals and for every corner of a face the index of its own."""
+
+    texture_coordinates: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))
+    texture_faces: np.ndarray = field(default_factory=lambda: np.zeros((0, 3), int))
+    normals: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
+
+
+def rounded(values: np.ndarray) -> np.ndarray:
+    """Values with DECIMALS decimals; adding zero turns -0 into 0."""
+    return np.round(values, DECIMALS) + 0.0
+
+
+def write_ply(path: Path, mesh: Mesh, comment: str) -> None:
+    """Binary little-endian PLY with float coordinates."""
+    header = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"comment {comment}\n"
+        f"element vertex {len(mesh.positions)}\n"
+        "property float x\nproperty float y\nproperty float z\n"
+        f"element face {len(mesh.faces)}\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    )
+    corners = mesh.faces.shape[1]
+    records = np.empty(len(mesh.faces), dtype=[("count", "u1"), ("corners", "<i4", corners)])
+    records["count"] = corners
+    records["corners"] = mesh.faces
+    positions = rounded(mesh.positions).astype("<f4")
+    path.write_bytes(header.encode("ascii") + positions.tobytes() + records.tobytes())
+
+
+def write_obj(path: Path, mesh: TexturedMesh, texture: np.ndarray) -> None:
+    """OBJ, its MTL and its PNG, all named after path."""
+    material_path, texture_path = path.with_suffix(".mtl"), path.with_suffix(".png")
+    lines = [f"mtllib {material_path.name}"]
+    lines += ["v {:.5f} {:.5f} {:.5f}".format(*p) for p in rounded(mesh.positions)]
+    lines += ["vt {:.5f} {:.5f}".format(*t) for t in rounded(mesh.texture_coordinates)]
+    lines += ["vn {:.5f} {:.5f} {:.5f}".format(*n) for n in rounded(mesh.normals)]
+    lines.append("usemtl painted")
+    for corners, texture_corners in zip(mesh.faces + 1, mesh.texture_faces + 1, strict=True):
+        triples = zip(corners, texture_corners, corners, strict=True)
+        lines.append("f " + " ".join(f"{v}/{t}/{n}" for v, t, n in triples))
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    material_path.write_text(
+        f"newmtl painted\nKa 1 1 1\nKd 1 1 1\nillum 1\nmap_Kd {texture_path.name}\n",
+        encoding="ascii",
+    )
+    write_png(texture_path, texture)
+
+
+def write_png(path: Path, pixels: np.ndarray) -> None:
+    """8-bit RGB, rows from top to bottom; stored uncompressed, because compressors differ in their bytes."""
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    height, width, _ = pixels.shape
+    rows = b"".join(b"\x00" + row.astype(np.uint8).tobytes() for row in pixels)
+    path.write_bytes(
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+        + chunk(b"IDAT", zlib.compress(rows, 0))
+        + chunk(b"IEND", b"")
+    )
