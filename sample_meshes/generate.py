@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the sample meshes, the same bytes each time: generate.py [FOLDER]."""
