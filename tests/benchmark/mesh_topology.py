@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import igl
 import numpy as np
+import trimesh
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
@@ -48,11 +49,18 @@ def without_unreferenced(vertices: np.ndarray, faces: np.ndarray) -> Mesh:
 
 
 def read_mesh(path) -> Mesh:
-    """Reads PLY, OFF or OBJ (also STL); polygons are cut into triangles by libigl.
+    """Reads PLY, OFF, OBJ or STL; polygons are cut into triangles.
 
+    libigl reads all but PLY files with faces: it aborts where their properties are of several types.
+    trimesh reads those, but not the triangle strips of some scans.
     :raises ValueError: if the file holds no face.
     """
-    vertices, faces = igl.read_triangle_mesh(str(path))
+    vertices, faces = [], []
+    if str(path).lower().endswith(".ply"):
+        loaded = trimesh.load(str(path), process=False, force="mesh")
+        vertices, faces = loaded.vertices, getattr(loaded, "faces", [])
+    if len(faces) == 0:
+        vertices, faces = igl.read_triangle_mesh(str(path))
     if len(faces) == 0:
         raise ValueError(f"{path}: no faces")
     return without_unreferenced(np.asarray(vertices, dtype=np.float64)[:, :3], np.asarray(faces))
