@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
+
+# Packages of the distribution that the project needs: the only part that wants root.
+build_packages=(g++ cmake ninja-build ccache qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
+    python3 python3-venv libgl1 libopengl0 ca-certificates dpkg-dev xz-utils)
+test_packages=(git clang-format clang-tidy xvfb xauth openbox xdotool imagemagick)
+
+# Prints those of the given packages that are not installed.
+missing_packages() {
+    local package
+    for package in "$@"; do
+        [[ $'\n'$installed_packages$'\n' == *$'\n'"$package ii "$'\n'* ]] || printf '%s\n' "$package"
+    done
+}
+
+# ensure_packages PACKAGE...: installs what is missing, as root or through sudo; otherwise says what to ask for.
+ensure_packages() {
+    local installed_packages missing privilege=()
+    if ! command -v dpkg-query >/dev/null; then
+        say "No apt here: the packages $* (Debian's names) are taken to be installed."
+        return
+    fi
+    installed_packages=$(dpkg-query -W -f '${Package} ${db:Status-Abbrev}\n' "$@" 2>/dev/null || true)
+    mapfile -t missing < <(missing_packages "$@")
+    ((${#missing[@]})) || return 0
+    say "Installing with apt: ${missing[*]}"
+    if ((EUID != 0)); then
+        sudo -n true 2>/dev/null || die "not root, so please have these installed first:" \
+            "apt-get install ${missing[*]}"
+        privilege=(sudo -n)
+    fi
+    step apt "Packages of the distribution" install_packages "${missing[@]}"
+}
+
+install_packages() {
+    "${privilege[@]}" apt-get -q update
+    "${privilege[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get -qy -o DPkg::Lock::Timeout=300 install --no-install-recommends "$@"
+}

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
+
+# The project's Python: a virtual environment in the cache folder with the pinned packages of others, and the
+# project's own package in build/python of this checkout, so that two checkouts do not get into each other's way.
+
+python_environment=$cache/python
+python_requirements=$top/scripts/requirements.txt
+project_package=$top/build/python
+
+python_packages_folder() { printf '%s\n' "$python_environment"/lib/python3.*/site-packages; }
+
+# ensure_python: the environment with exactly the pinned packages.
+ensure_python() {
+    local recipe
+    recipe="1 $(/usr/bin/python3 -V) $(sha256sum <"$python_requirements")"
+    is_complete "$python_environment" "$recipe" && return 0
+    say "Installing with pip into $python_environment:" \
+        "$(sed -n 's/^\([a-z][^ ]*\)==\([^ ]*\).*/\1 \2,/p' "$python_requirements" | tr '\n' ' ')"
+    step python "Python packages" create_python_environment
+    printf '%s\n' "$recipe" >"$python_environment/complete"
+}
+
+create_python_environment() {
+    rm -rf "$python_environment"
+    /usr/bin/python3 -m venv "$python_environment"
+    "$python_environment/bin/python" -m pip --disable-pip-version-check install --no-input --only-binary :all: \
+        --require-hashes -r "$python_requirements"
+}
+
+# ensure_package: laplacian_simplify with the plugin for pymeshlab inside, built again where a source is newer.
+ensure_package() {
+    local stamp=$project_package/complete
+    ensure_host pymeshlab-2025.7
+    if [[ -f $stamp && $stamp -nt $cache/hosts/pymeshlab-2025.7/complete ]] &&
+        [[ -z $(find "$top"/{CMakeLists.txt,cmake,vcg_ext,filter_laplacian_simplify,python} \
+            -newer "$stamp" -not -name '*.pyc' -not -name __pycache__ -print -quit) ]]; then
+        return 0
+    fi
+    step python-package "Python package with the plugin" build_package
+}
+
+build_package() {
+    rm -rf "$project_package.new"
+    build_preset pymeshlab-2025.7
+    "$python_environment/bin/python" -m pip --disable-pip-version-check install --no-input --no-deps --no-index \
+        --no-build-isolation --target "$project_package.new" "$top/python"
+    touch "$project_package.new/complete"
+    rm -rf "$project_package"
+    mv "$project_package.new" "$project_package"
+}
+
+# run_python ARGUMENT...: Python of the environment with laplacian_simplify in it, in place of this shell.
+run_python() {
+    PYTHONPATH=$project_package${PYTHONPATH:+:$PYTHONPATH} exec "$python_environment/bin/python" "$@"
+}
