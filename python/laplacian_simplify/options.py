@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options of the command, made from the plugin's tables of parameters."""
+
+import argparse
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+from . import filters as functions
+from .report import Report
+from .tables import Filter, Parameter, filter_named, filters
+
+
+@dataclass(frozen=True)
+class Command:
+    """A subcommand: the function behind it and where its options differ from the filter's parameters."""
+
+    name: str
+    filter_name: str
+    function: Callable[..., Report]
+    other_defaults: tuple[tuple[str, Any], ...] = ()
+
+    @property
+    def filter(self) -> Filter:
+        return filter_named(self.filter_name)
+
+
+_COMMANDS = (
+    Command("simplify", "meshing_decimation_laplacian_quadric_edge_collapse", functions.simplify),
+    Command("descriptor", "compute_scalar_by_laplacian_descriptor_per_vertex", functions.descriptor),
+    Command(
+        "classify",
+        "compute_selection_by_laplacian_descriptor_per_vertex",
+        functions.classify,
+        (("class_as_quality", True),),  # no file holds a selection
+    ),
+    Command("smooth", "apply_coord_umbrella_smoothing", functions.smooth),
+)
+
+SHORT_NAMES = {"target_faces": "--faces", "target_percent": "--percent"}
+_SHORT_HELP = {"target_faces": "number of faces to keep", "target_percent": "percent of the faces to keep"}
+WITHOUT_OPTION = ("new_layer", "selected_only")  # one mesh in, one out; files hold no selection
+
+
+def commands() -> tuple[Command, ...]:
+    """The subcommands whose filters this build of the plugin has."""
+    present = {row.python_name for row in filters()}
+    return tuple(command for command in _COMMANDS if command.filter_name in present)
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """Says what is wrong in one line and exits with 2."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: error: {message} (see {self.prog} --help)\n")
+
+
+def make_parser(version: str) -> argparse.ArgumentParser:
+    """The parser of the whole command; the chosen subcommand is in ``command``."""
+    parser = OneLineParser(
+        prog="laplacian-simplify",
+        description="Simplifies meshes so that creases, corners and details stay longest.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {version}")
+    subparsers = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=OneLineParser)
+    for command in commands():
+        row = command.filter
+        subparser = subparsers.add_parser(command.name, help=row.summary, description=row.summary, allow_abbrev=False)
+        _add_options(subparser, command, row)
+        subparser.set_defaults(command=command)
+    return parser
+
+
+def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter) -> None:
+    parser.add_argument("input", metavar="INPUT", help="mesh file, in any format that MeshLab reads")
+    parser.add_argument("output", metavar="OUTPUT", help="mesh file, in any format that MeshLab writes")
+    parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
+    targets = parser.add_mutually_exclusive_group(required=row.has("target_faces"))
+    other_defaults = dict(command.other_defaults)
+    for parameter in row.parameters:
+        if parameter.id in WITHOUT_OPTION:
+            continue
+        group = targets if parameter.id in SHORT_NAMES else parser
+        _add_option(group, parameter, other_defaults.get(parameter.id))
+
+
+def _add_option(group: argparse._ActionsContainer, parameter: Parameter, default: object) -> None:
+    name = SHORT_NAMES.get(parameter.id, "--" + parameter.id.replace("_", "-"))
+    common: dict[str, Any] = {"dest": parameter.id, "default": default, "help": _help(parameter, default)}
+    if parameter.type == "boolean":
+        group.add_argument(name, action=argparse.BooleanOptionalAction, **common)
+    elif parameter.type == "choice":
+        group.add_argument(name, choices=[option.id for option in parameter.options], **common)
+    else:
+        kind = int if parameter.type == "integer" else float
+        group.add_argument(name, type=kind, metavar="N" if kind is int else "X", **common)
+
+
+def _help(parameter: Parameter, default: object) -> str:
+    text = parameter.help
+    if parameter.id in SHORT_NAMES:
+        return _SHORT_HELP[parameter.id]
+    if isinstance(default, bool):
+        shown = "on" if default else "off"
+    elif parameter.options:
+        shown = parameter.options[int(parameter.default or 0)].id
+    else:
+        shown = {"true": "on", "false": "off"}.get(parameter.default_text, parameter.default_text)
+    return f"{text} Default: {shown}.".replace("%", "%%")

@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a filter of the plugin is run on a mesh set or a file."""
+
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+
+from .mesh_reading import read_mesh
+from .plugin import load
+from .report import Report
+from .tables import Filter, filter_named
+
+if TYPE_CHECKING:
+    import pymeshlab
+
+MeshSource: TypeAlias = "pymeshlab.MeshSet | str | PathLike[str]"
+R = TypeVar("R", bound=Report)
+
+
+def run(filter_name: str, report_type: type[R], mesh: MeshSource, **values: Any) -> R:
+    """Runs a filter on the current mesh of a mesh set, or on a file, which is read into a new one.
+
+    A value that is None is left to the filter's default. Everything is checked before the mesh is touched.
+
+    Raises:
+        ValueError: a value is outside its range; the text names the parameter, the value and the range.
+        OSError: the file cannot be read.
+        RuntimeError: the filter refused the mesh, which is unchanged; the text says why.
+    """
+    load()
+    row = filter_named(filter_name)
+    numbers = checked(row, values)
+    mesh_set = read_mesh(Path(mesh)) if isinstance(mesh, str | PathLike) else mesh
+    return report_type.of(mesh_set, _apply(row, mesh_set, numbers))
+
+
+def checked(row: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values that are not None, as the host wants them: choices as numbers, the rest in its type.
+
+    Raises:
+        TypeError: the filter has no such parameter.
+        ValueError: a value is outside its range.
+    """
+    types = {"boolean": bool, "integer": int, "real": float, "choice": int}
+    given = {name: value for name, value in values.items() if value is not None}
+    rows = {name: row.parameter(name) for name in given}
+    return {name: types[rows[name].type](rows[name].number(value)) for name, value in given.items()}
+
+
+def _apply(row: Filter, mesh_set: "pymeshlab.MeshSet", numbers: Mapping[str, Any]) -> dict[str, Any]:
+    import pymeshlab
+
+    if mesh_set.mesh_number() == 0:
+        raise RuntimeError("the mesh set is empty")
+    try:
+        return dict(mesh_set.apply_filter(row.python_name, **numbers))
+    except pymeshlab.PyMeshLabException as error:
+        sentence = str(error).strip().splitlines()[-1].removeprefix("Details: ")
+        names_parameter = row.has(sentence.split(" = ")[0])
+        raise (ValueError if names_parameter else RuntimeError)(sentence) from None

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A report in a few lines for people."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+
+def summary(source: str, target: str, report: Mapping[str, Any]) -> str:
+    """What was done with which result."""
+    lines = [f"{source} -> {target} in {report['seconds']:.2f} s"]
+    if "faces_before" in report:
+        lines += _decimation(report)
+    elif "centers" in report:
+        lines += _classification(report)
+    elif "percentile_99_9" in report:
+        lines += _descriptor(report)
+    elif "moved" in report:
+        lines += [f"moved     {_count(report['moved'], 'vertex', 'vertices')}, "
+                  f"at most {report['largest_movement']:.3g} % of the bounding box's diagonal"]  # fmt: skip
+    return "\n".join(lines)
+
+
+def _decimation(report: Mapping[str, Any]) -> list[str]:
+    before, after = report["faces_before"], report["faces"]
+    outcome = report["stop_reason_text"]
+    if not report["target_reached"]:
+        outcome = f"target NOT reached: {outcome}"
+    lines = [f"faces     {before:,} -> {after:,} ({100 * after / before:.3g} %), {outcome}"]
+    if "rms" in report:
+        lines.append(
+            f"distance  rms {report['rms']:.3g} %, at features {report['feature_rms']:.3g} %, "
+            f"largest {report['hausdorff']:.3g} % of the bounding box's diagonal"
+        )
+    checks = [
+        _count(report["vertices"], "vertex", "vertices"),
+        _count(report["non_manifold_edges"], "non-manifold edge"),
+        _count(report["boundary_edges"], "boundary edge"),
+    ]
+    if "folded" in report:
+        checks.append(_count(report["folded"], "folded face"))
+    return [*lines, "mesh      " + ", ".join(checks)]
+
+
+def _classification(report: Mapping[str, Any]) -> list[str]:
+    return [
+        f"selected  {_count(report['selected'], 'vertex', 'vertices')}, {report['promoted']:,} by refinement",
+        f"classes   {_list(report['class_sizes'], ',.0f')} vertices",
+        f"borders   {_list(report['thresholds'], '.3g')}",
+    ]
+
+
+def _descriptor(report: Mapping[str, Any]) -> list[str]:
+    return [
+        f"values    {report['minimum']:.3g} to {report['maximum']:.3g}, mean {report['mean']:.3g}, "
+        f"99.9 percent up to {report['percentile_99_9']:.3g}"
+    ]
+
+
+def _count(number: int, one: str, many: str | None = None) -> str:
+    return f"{number:,} {one if number == 1 else many or one + 's'}"
+
+
+def _list(numbers: Sequence[float], form: str) -> str:
+    return " / ".join(format(number, form) for number in numbers)
