@@ -104,7 +104,7 @@ Decimation Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters
 
     Decimation result;
     const auto start = Clock::now();
-    result.mesh = Decimate(view, parameters);
+    result.mesh = Decimate(view, static_cast<const DecimationParameters&>(parameters));
     DecimationReport& report = result.report;
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     report.facesBefore = view.faceCount;
