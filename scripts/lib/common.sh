@@ -24,7 +24,7 @@ die() {
 # step LOG TITLE COMMAND...: runs the command quietly, its output in build/logs/LOG.log, and prints one line with
 # the seconds that it took. On failure the end of the log is shown and the status is that of the command.
 step() {
-    local log=$logs/$1.log title=$2 start=$SECONDS status=0
+    local log=$logs/$1.log title=$2 start=$SECONDS status flags=$-
     shift 2
     mkdir -p "$logs"
     printf '%-62s' "$title" >&2
@@ -35,7 +35,7 @@ step() {
         "$@"
     ) >"$log" 2>&1
     status=$?
-    set -e
+    [[ $flags != *e* ]] || set -e
     if ((status == 0)); then
         printf '%5d s\n' $((SECONDS - start)) >&2
     else

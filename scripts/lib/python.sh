@@ -31,14 +31,15 @@ create_python_environment() {
 
 # ensure_package: laplacian_simplify with the plugin for pymeshlab inside, built again where a source is newer.
 ensure_package() {
-    local stamp=$project_package/complete
     ensure_host pymeshlab-2025.7
-    if [[ -f $stamp && $stamp -nt $cache/hosts/pymeshlab-2025.7/complete ]] &&
+    if ! package_is_current; then step python-package "Python package with the plugin" build_package; fi
+}
+
+package_is_current() {
+    local stamp=$project_package/complete
+    [[ -f $stamp && $stamp -nt $cache/hosts/pymeshlab-2025.7/complete ]] &&
         [[ -z $(find "$top"/{CMakeLists.txt,cmake,vcg_ext,filter_laplacian_simplify,python} \
-            -newer "$stamp" -not -name '*.pyc' -not -name __pycache__ -print -quit) ]]; then
-        return 0
-    fi
-    step python-package "Python package with the plugin" build_package
+            -newer "$stamp" -not -name '*.pyc' -not -name __pycache__ -print -quit) ]]
 }
 
 build_package() {
