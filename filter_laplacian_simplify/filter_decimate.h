@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+
+#include "decimation_words.h"
+#include "guidance.h"
+#include "host.h"
+#include "progress.h"
+#include "stopwatch.h"
+#include "values.h"
+#include "vcg_ext/decimation.h"
+
+namespace laplacian_simplify
+{
+
+/// The faces that the whole mesh shall have. The user's numbers are about the selection where only that is
+/// decimated.
+/// \throws std::invalid_argument where only the selection is asked for and there is none
+inline std::size_t TargetFaces(const Values& values, const MeshFacts& facts)
+{
+    const bool selectedOnly = values.Boolean("selected_only");
+    if (selectedOnly && facts.selectedFaces == 0)
+        throw std::invalid_argument("selected_only = true, but none of the " + std::to_string(facts.faces) +
+                                    " faces is selected");
+    const std::size_t decimated = selectedOnly ? facts.selectedFaces : facts.faces;
+    const double percent = values.Real("target_percent");
+    const auto target =
+        percent > 0 ? static_cast<std::size_t>(std::llround(percent / 100 * static_cast<double>(decimated)))
+                    : static_cast<std::size_t>(values.Integer("target_faces"));
+    return facts.faces - decimated + std::max<std::size_t>(target, 1);
+}
+
+/// Makes the indices of \p result those of a copy of \p mesh, from which deleted vertices were left out.
+template <class Mesh>
+void RenumberForCompactCopy(const Mesh& mesh, vcg_ext::DecimatedMesh& result)
+{
+    std::vector<std::uint32_t> place(mesh.vert.size());
+    std::uint32_t next = 0;
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v)
+        if (!mesh.vert[v].IsD()) place[v] = next++;
+    for (std::uint32_t& origin : result.vertexOrigin) origin = place[origin];
+}
+
+/// What there is to say where the mesh has no more faces than wanted: nothing is done.
+template <class Mesh>
+vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
+{
+    const vcg_ext::MeshArrays<Mesh> arrays(mesh);
+    const vcg_ext::MeshView& view = arrays.View();
+    vcg_ext::DecimationReport report;
+    report.facesBefore = report.faces = view.faceCount;
+    report.vertices = static_cast<std::size_t>(mesh.vn);
+    report.targetReached = true;
+    report.edges = vcg_ext::CountEdges(view.faceCount, [&](std::size_t f) { return view.triangles + 3 * f; });
+    if (measureError) report.distances.emplace(); // both surfaces are the same: all distances are 0
+    return report;
+}
+
+/// What the guided filter asks of the collapse, without target and progress.
+template <class Mesh>
+vcg_ext::MeshDecimationParameters GuidedParameters(const Mesh& mesh, const Values& values)
+{
+    vcg_ext::MeshDecimationParameters parameters;
+    parameters.featureWeight = values.Real("feature_weight");
+    parameters.effort = values.Choice<vcg_ext::Effort>("effort");
+    parameters.boundary = values.Choice<vcg_ext::Boundary>("boundary");
+    parameters.preserveTopology = values.Boolean("preserve_topology");
+    parameters.order = values.Choice<vcg_ext::Order>("order");
+    parameters.threads = values.Integer("threads");
+    parameters.selectedOnly = values.Boolean("selected_only");
+    parameters.measureError = values.Boolean("measure_error");
+    parameters.guidance = Guidance(mesh, values.Integer("descriptor"), parameters.threads);
+    return parameters;
+}
+
+/// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".
+template <class Host>
+Report ApplyGuidedDecimation(Host& host, const Values& values)
+{
+    using Mesh = typename Host::MeshType;
+    const Stopwatch stopwatch;
+    const bool newLayer = values.Boolean("new_layer");
+    const MeshFacts facts = FactsOf(host.Mesh());
+    const std::size_t target = TargetFaces(values, facts);
+    vcg_ext::DecimationReport report;
+    if (target >= facts.faces) {
+        report = ReportUnchanged<Mesh>(host.Mesh(), values.Boolean("measure_error"));
+        if (newLayer) host.ContinueOnCopy();
+    } else {
+        CalmProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
+        auto parameters = GuidedParameters<Mesh>(host.Mesh(), values);
+        parameters.targetFaces = target;
+        parameters.progress = std::ref(progress);
+        auto decimation = vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
+        report = decimation.report;
+        if (report.stopReason == vcg_ext::StopReason::Cancelled) {
+            report.faces = facts.faces;
+            report.vertices = static_cast<std::size_t>(host.Mesh().vn);
+        } else {
+            if (newLayer) {
+                RenumberForCompactCopy(host.Mesh(), decimation.mesh);
+                host.ContinueOnCopy();
+            }
+            vcg_ext::ApplyDecimation(host.Mesh(), decimation.mesh);
+            host.GeometryChanged();
+            report.vertices = static_cast<std::size_t>(host.Mesh().vn); // with those that are on no face
+        }
+    }
+    report.seconds = stopwatch.Seconds();
+    for (const std::string& line : WordsOf(report, target)) host.Log(line);
+    return NumbersOf(report);
+}
+
+} // namespace laplacian_simplify

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+
+#include "host.h"
+#include "progress.h"
+#include "results.h"
+#include "stopwatch.h"
+#include "values.h"
+#include "vcg_ext/descriptor.h"
+
+namespace laplacian_simplify
+{
+
+/// What is said about a set of values.
+struct Statistics {
+    std::size_t count;
+    double minimum, maximum, mean, percentile99_9;
+    double lowestTenth, highestTenth; ///< a tenth of the values lies below, above
+};
+
+/// \pre not empty
+inline Statistics Describe(std::vector<double> values)
+{
+    Statistics statistics{};
+    statistics.count = values.size();
+    double sum = 0;
+    for (const double value : values) sum += value;
+    statistics.mean = sum / static_cast<double>(values.size());
+    // Each selection leaves the smaller values in front, so the next one works on those only.
+    auto end = values.end();
+    const auto percentile = [&](double part) {
+        const auto place =
+            values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), place, end);
+        end = place + 1;
+        return *place;
+    };
+    statistics.maximum = *std::max_element(values.begin(), values.end());
+    statistics.percentile99_9 = percentile(0.999);
+    statistics.highestTenth = percentile(0.9);
+    statistics.lowestTenth = percentile(0.1);
+    statistics.minimum = *std::min_element(values.begin(), end);
+    return statistics;
+}
+
+/// Stores one value for each element of mesh.vert as quality, and as colour where asked for.
+/// The host's own curvature filter leaves a tenth at either end out of its ramp, too.
+template <class Mesh>
+void StoreAsQuality(Mesh& mesh, const std::vector<double>& values, const std::vector<bool>& inScope,
+                    bool colorize, const Statistics& statistics)
+{
+    const auto low = static_cast<float>(statistics.lowestTenth);
+    const auto high = static_cast<float>(statistics.highestTenth);
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        if (!inScope[v]) continue;
+        auto& vertex = mesh.vert[v];
+        vertex.Q() = static_cast<std::decay_t<decltype(vertex.Q())>>(values[v]);
+        if (colorize) vertex.C().SetColorRamp(low, high, static_cast<float>(values[v]));
+    }
+}
+
+/// Filter "Laplacian Shape Descriptor": vertex quality, and colour where asked for.
+template <class Host>
+Report ApplyShapeDescriptor(Host& host, const Values& values)
+{
+    const Stopwatch stopwatch;
+    const auto kind = values.Choice<vcg_ext::Descriptor>("descriptor");
+    const bool colorize = values.Boolean("colorize");
+    auto& mesh = host.Mesh();
+    const std::vector<bool> inScope = VerticesInScope(mesh, values.Boolean("selected_only"));
+    std::vector<double> descriptor = vcg_ext::ComputeDescriptor(mesh, kind, 0);
+    if (values.Boolean("rescale")) descriptor = vcg_ext::RescaledToUnit(std::move(descriptor));
+    std::vector<double> changed;
+    changed.reserve(descriptor.size());
+    for (std::size_t v = 0; v < descriptor.size(); ++v)
+        if (inScope[v]) changed.push_back(descriptor[v]);
+    const Statistics statistics = Describe(std::move(changed));
+    if (!host.Progress(90, "Laplacian shape descriptor")) throw Cancelled();
+
+    host.Require(colorize ? kVertexQuality | kVertexColor : kVertexQuality);
+    StoreAsQuality(mesh, descriptor, inScope, colorize, statistics);
+
+    Report report;
+    report.Set("minimum", statistics.minimum);
+    report.Set("maximum", statistics.maximum);
+    report.Set("mean", statistics.mean);
+    report.Set("percentile_99_9", statistics.percentile99_9);
+    report.Set("seconds", stopwatch.Seconds());
+    host.Log(std::string(vcg_ext::kDescriptors[static_cast<std::size_t>(kind)].name) + " of " +
+             std::to_string(statistics.count) + " vertices: from " + RoundedText(statistics.minimum, 4) +
+             " to " + RoundedText(statistics.maximum, 4) + ", mean " + RoundedText(statistics.mean, 4) +
+             ", 99.9 % not above " + RoundedText(statistics.percentile99_9, 4));
+    return report;
+}
+
+} // namespace laplacian_simplify

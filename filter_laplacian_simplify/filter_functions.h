@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+
+#include "filter_classify.h"
+#include "filter_descriptor.h"
+#include "filter_decimate.h"
+#include "filter_smooth.h"
+#include "filters.h"
+#include "host.h"
+#include "results.h"
+#include "values.h"
+
+namespace laplacian_simplify
+{
+
+/// Runs a filter on the host's current mesh. The compiler asks here for the function of a new row.
+/// \throws std::exception with a sentence for the user; the mesh is then as it was
+template <class Host>
+Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
+{
+    const Values values(filter, FactsOf(host.Mesh()), given);
+    RequireUsable(host.Mesh());
+    switch (filter) {
+    case FilterId::ShapeDescriptor:
+        return ApplyShapeDescriptor(host, values);
+    case FilterId::FeatureSelection:
+        return ApplyFeatureSelection(host, values);
+    case FilterId::GuidedDecimation:
+        return ApplyGuidedDecimation(host, values);
+    case FilterId::UmbrellaSmooth:
+        return ApplyUmbrellaSmooth(host, values);
+    }
+    throw std::logic_error("a filter without a function");
+}
+
+} // namespace laplacian_simplify

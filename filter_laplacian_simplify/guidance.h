@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+
+#include "vcg_ext/descriptor.h"
+
+namespace laplacian_simplify
+{
+
+/// The quality of every element of mesh.vert, 0 for deleted ones.
+/// \throws std::invalid_argument where one is not finite, with the count
+template <class Mesh>
+std::vector<double> StoredQuality(const Mesh& mesh)
+{
+    std::vector<double> quality(mesh.vert.size());
+    std::size_t bad = 0;
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+        if (mesh.vert[v].IsD()) continue;
+        quality[v] = static_cast<double>(mesh.vert[v].cQ());
+        bad += !std::isfinite(quality[v]);
+    }
+    if (bad > 0)
+        throw std::invalid_argument("descriptor = vertex quality: " + std::to_string(bad) + " of " +
+                                    std::to_string(mesh.vn) + " vertices have a quality that is not finite");
+    return quality;
+}
+
+/// The values that option \p option of a parameter "descriptor" stands for: a row of kDescriptors, or behind
+/// the last the quality that the vertices have. One value for each element of mesh.vert.
+template <class Mesh>
+std::vector<double> DescriptorValues(const Mesh& mesh, int option, int threads)
+{
+    constexpr auto computed = static_cast<int>(std::size(vcg_ext::kDescriptors));
+    if (option >= computed) return StoredQuality(mesh);
+    return vcg_ext::ComputeDescriptor(mesh, static_cast<vcg_ext::Descriptor>(option), threads);
+}
+
+/// The same in [0, 1] for the decimation; empty stands for the Laplacian descriptor, which it computes
+/// itself.
+template <class Mesh>
+std::vector<float> Guidance(const Mesh& mesh, int option, int threads)
+{
+    if (option == static_cast<int>(vcg_ext::Descriptor::Laplacian)) return {};
+    std::vector<float> guidance;
+    guidance.reserve(mesh.vert.size());
+    for (const double value : vcg_ext::RescaledToUnit(DescriptorValues(mesh, option, threads)))
+        guidance.push_back(static_cast<float>(value));
+    return guidance;
+}
+
+} // namespace laplacian_simplify

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A filter function is a template on the program that it runs in. Such a Host is made for one run and offers:
+//
+//   using MeshType            a VCG triangle mesh with vertex quality and colour
+//   MeshType& Mesh()          the current mesh
+//   void Require(data)        makes sure that the mesh has the MeshData that is about to be written
+//   void ContinueOnCopy()     a new layer with a copy of the mesh becomes the current one; the original stays
+//   void GeometryChanged()    after positions or faces of the mesh changed: box and normals
+//   void Log(line)            a line for the user, of less than 4096 characters
+//   bool Progress(percent, stage)  false asks to stop; main thread only
+//
+// A filter function checks everything and computes before it changes the mesh; what it throws is a
+// std::exception whose text is a sentence for the user, and the mesh is then as it was.
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+
+#include "parameters.h"
+
+namespace laplacian_simplify
+{
+
+/// Coordinates beyond this overflow when a host squares them in single precision.
+constexpr double kLargestCoordinate = 1e18;
+
+/// What the defaults of parameters depend on.
+template <class Mesh>
+MeshFacts FactsOf(const Mesh& mesh)
+{
+    MeshFacts facts;
+    for (const auto& face : mesh.face) {
+        if (face.IsD()) continue;
+        ++facts.faces;
+        if (face.IsS()) ++facts.selectedFaces;
+    }
+    return facts;
+}
+
+/// \throws std::invalid_argument where no filter can work on the mesh: it says why, with the count
+template <class Mesh>
+void RequireUsable(const Mesh& mesh)
+{
+    const std::string vertices = std::to_string(mesh.vn);
+    if (mesh.fn == 0) throw std::invalid_argument("the mesh has no faces (" + vertices + " vertices)");
+    std::size_t bad = 0;
+    for (const auto& v : mesh.vert) {
+        if (v.IsD()) continue;
+        const auto usable = [](auto x) { return std::abs(static_cast<double>(x)) <= kLargestCoordinate; };
+        bad += !(usable(v.cP()[0]) && usable(v.cP()[1]) && usable(v.cP()[2])); // NaN is not <= either
+    }
+    if (bad > 0)
+        throw std::invalid_argument("the mesh is unusable: " + std::to_string(bad) + " of " + vertices +
+                                    " vertices have coordinates that are not finite numbers up to 1e18");
+}
+
+/// One flag for each element of mesh.vert: the vertices that a filter for vertices may change. With
+/// \p selectedOnly those of selected faces, or the selected ones where no face is selected.
+/// \throws std::invalid_argument where that is none
+template <class Mesh>
+std::vector<bool> VerticesInScope(const Mesh& mesh, bool selectedOnly)
+{
+    std::vector<bool> inScope(mesh.vert.size());
+    bool any = false;
+    if (selectedOnly) {
+        for (const auto& face : mesh.face) {
+            if (face.IsD() || !face.IsS()) continue;
+            any = true;
+            for (int k = 0; k < 3; ++k) inScope[vcg::tri::Index(mesh, face.cV(k))] = true;
+        }
+        if (any) return inScope;
+    }
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
+        inScope[v] = !mesh.vert[v].IsD() && (!selectedOnly || mesh.vert[v].IsS());
+        any = any || inScope[v];
+    }
+    if (!any) throw std::invalid_argument("selected_only = true, but nothing is selected");
+    return inScope;
+}
+
+} // namespace laplacian_simplify

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "filters.h"
+
+namespace laplacian_simplify
+{
+
+enum class ParameterType { Boolean, Integer, Real, Choice };
+
+/// What the default of a parameter may depend on. All 0 where there is no mesh yet.
+struct MeshFacts {
+    std::size_t faces = 0;
+    std::size_t selectedFaces = 0;
+};
+
+/// One value of a parameter that is a choice; its number is its place in the list.
+struct Option {
+    std::string id;   ///< snake_case, for command lines
+    std::string text; ///< for dialogs
+};
+
+/// The values that a number may have.
+struct Range {
+    double minimum;
+    double maximum;
+    bool minimumIncluded = true;
+};
+
+/// The value that a dialog starts with and that holds where none is given.
+struct DefaultValue {
+    double value;                                 ///< where the mesh does not decide it
+    double (*onMesh)(const MeshFacts&) = nullptr; ///< otherwise null
+    const char* words = "";                       ///< what onMesh says
+};
+
+/// What everybody is told about a parameter of some filters.
+struct Parameter {
+    const char* id; ///< snake_case, the same in dialogs, scripts, Python and commands; never changes
+    std::vector<FilterId> filters;
+    ParameterType type;
+    DefaultValue defaultValue;
+    Range range;
+    const char* unit; ///< "" where there is none
+    const char* label;
+    const char* help;
+    std::vector<Option> options; ///< of a choice, otherwise empty
+
+    /// The default on a mesh; lies in the range on every mesh.
+    double Default(const MeshFacts& facts) const
+    {
+        return defaultValue.onMesh ? defaultValue.onMesh(facts) : defaultValue.value;
+    }
+};
+
+/// The table of parameters, in the order of the dialogs. No filter has two of the same id.
+const std::vector<Parameter>& Parameters();
+
+/// The rows of one filter.
+std::vector<const Parameter*> ParametersOf(FilterId filter);
+
+/// The range as people write it: "[0, 50]", "(0, 1]", "[0, 2] (0 fast, 1 balanced, 2 best)", "true or false".
+std::string RangeText(const Parameter& parameter);
+
+/// A number as short as it can be written without loss, with a point whatever the locale says.
+std::string NumberText(double value);
+
+/// A number with \p digits significant digits at the most, for reports.
+std::string RoundedText(double value, int digits);
+
+} // namespace laplacian_simplify

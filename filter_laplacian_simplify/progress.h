@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "vcg_ext/decimation_types.h"
+
+namespace laplacian_simplify
+{
+
+/// Passes progress on at most ten times a second, as hosts redraw themselves on every call.
+class CalmProgress
+{
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds kPause{100};
+
+    vcg_ext::Progress host_;
+    Clock::time_point last_ = Clock::now(); // the first call waits too: short runs need no progress
+    bool goOn_ = true;
+
+  public:
+    explicit CalmProgress(vcg_ext::Progress host) : host_(std::move(host)) {}
+
+    /// False from the call on in which the host asked to stop.
+    bool operator()(int percent, const char* stage)
+    {
+        if (!goOn_ || !host_) return goOn_;
+        const auto now = Clock::now();
+        if (now - last_ < kPause) return true;
+        last_ = now;
+        goOn_ = host_(percent, stage);
+        return goOn_;
+    }
+};
+
+/// What a filter that has nothing to report throws when the host asks it to stop.
+inline std::runtime_error Cancelled()
+{
+    return std::runtime_error("cancelled; the mesh is unchanged");
+}
+
+} // namespace laplacian_simplify

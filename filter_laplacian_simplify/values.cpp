@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "values.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace laplacian_simplify
+{
+namespace
+{
+
+std::string Sentence(const Parameter& parameter, const std::string& value, const char* problem)
+{
+    return std::string(parameter.id) + " = " + value + " is " + problem + " " + RangeText(parameter);
+}
+
+} // namespace
+
+double ExactDecimal(float value)
+{
+    std::array<char, 32> text;
+    double exact = static_cast<double>(value);
+    if (!std::isfinite(value)) return exact;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    std::from_chars(text.data(), end, exact);
+    return exact;
+}
+
+void Check(const Parameter& parameter, const GivenValue& value)
+{
+    if (const auto* text = std::get_if<std::string>(&value))
+        throw std::invalid_argument(Sentence(parameter, "\"" + *text + "\"", "not a number in"));
+    const double number = std::get<double>(value);
+    const Range& range = parameter.range;
+    const bool above = range.minimumIncluded ? number >= range.minimum : number > range.minimum;
+    if (!(above && number <= range.maximum)) // negated, so NaN is refused too
+        throw std::invalid_argument(Sentence(parameter, NumberText(number), "outside"));
+    if (parameter.type != ParameterType::Real && number != std::floor(number))
+        throw std::invalid_argument(Sentence(parameter, NumberText(number), "not a whole number in"));
+}
+
+Values::Values(FilterId filter, const MeshFacts& facts, const GivenValues& given)
+{
+    for (const Parameter* parameter : ParametersOf(filter)) {
+        const GivenValue value = given(*parameter).value_or(parameter->Default(facts));
+        Check(*parameter, value);
+        entries_.push_back({parameter, std::get<double>(value)});
+    }
+}
+
+double Values::Find(std::string_view id) const
+{
+    for (const Entry& entry : entries_)
+        if (entry.parameter->id == id) return entry.value;
+    throw std::logic_error("this filter has no parameter " + std::string(id));
+}
+
+} // namespace laplacian_simplify

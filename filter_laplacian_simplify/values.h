@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "parameters.h"
+
+namespace laplacian_simplify
+{
+
+/// What a host hands over for a parameter: a number (0 or 1 for a switch, the place for a choice), or the
+/// text that it could not read as one.
+using GivenValue = std::variant<double, std::string>;
+
+/// Asks the host for a parameter; nothing where it has none, then the default is taken.
+using GivenValues = std::function<std::optional<GivenValue>(const Parameter& parameter)>;
+
+/// A host's number as the decimal that the user typed: the float 0.1f becomes 0.1, so that parameters and
+/// messages are the same in single and double precision.
+double ExactDecimal(float value);
+inline double ExactDecimal(double value)
+{
+    return value;
+}
+
+/// Refuses a value that the parameter cannot have.
+/// \throws std::invalid_argument "feature_weight = 51 is outside [0, 50]": id, value and range
+void Check(const Parameter& parameter, const GivenValue& value);
+
+/// The parameters of one run, all of them in their range.
+class Values
+{
+    struct Entry {
+        const Parameter* parameter;
+        double value;
+    };
+    std::vector<Entry> entries_;
+
+    double Find(std::string_view id) const;
+
+  public:
+    /// \throws std::invalid_argument as Check, for the first value that is out of range
+    Values(FilterId filter, const MeshFacts& facts, const GivenValues& given);
+
+    bool Boolean(std::string_view id) const { return Find(id) != 0; }
+    int Integer(std::string_view id) const { return static_cast<int>(Find(id)); }
+    double Real(std::string_view id) const { return Find(id); }
+    /// \pre the enumerators of E are the options of the row, in their order
+    template <class E>
+    E Choice(std::string_view id) const
+    {
+        return static_cast<E>(Integer(id));
+    }
+};
+
+} // namespace laplacian_simplify

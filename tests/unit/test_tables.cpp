@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The rows of the plugin's tables are promises to users: scripts and programs spell these names.
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QtTest>
+
+#include "filters.h"
+#include "filters_page.h"
+#include "parameters.h"
+#include "results.h"
+#include "values.h"
+
+using namespace laplacian_simplify;
+
+Q_DECLARE_METATYPE(const Parameter*)
+
+namespace
+{
+
+const MeshFacts kMeshes[] = {{0, 0}, {1, 0}, {1, 1}, {12, 0}, {12, 5}, {2000000000, 0}};
+
+bool IsSnakeCase(const char* id)
+{
+    static const QRegularExpression pattern("^[a-z][a-z0-9]*(_[a-z0-9]+)*$");
+    return pattern.match(id).hasMatch();
+}
+
+/// What Check says about a value, "" where it is fine.
+QString Complaint(const Parameter& parameter, const GivenValue& value)
+{
+    try {
+        Check(parameter, value);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return {};
+}
+
+const Parameter& Find(FilterId filter, const char* id)
+{
+    for (const Parameter* row : ParametersOf(filter))
+        if (qstrcmp(row->id, id) == 0) return *row;
+    throw std::logic_error(id);
+}
+
+} // namespace
+
+class TestTables : public QObject
+{
+    Q_OBJECT
+
+    static void EveryParameter()
+    {
+        QTest::addColumn<const Parameter*>("parameter");
+        int number = 0;
+        for (const Parameter& row : Parameters()) QTest::addRow("%d %s", number++, row.id) << &row;
+    }
+
+  private slots:
+    void filtersStandAtThePlaceOfTheirId();
+    void filterNamesAreThoseOfTheContract();
+    void filterNamesFitIntoMenusAndPython();
+    void parameterIdsAreThoseOfTheContract_data();
+    void parameterIdsAreThoseOfTheContract();
+    void returnedKeysAreThoseOfTheContract_data();
+    void returnedKeysAreThoseOfTheContract();
+    void idsAreSnakeCaseAndUniqueInAFilter();
+    void defaultsAreThoseOfTheContract();
+    void defaultLiesInTheRangeOnEveryMesh_data() { EveryParameter(); }
+    void defaultLiesInTheRangeOnEveryMesh();
+    void everyRowIsExplained_data() { EveryParameter(); }
+    void everyRowIsExplained();
+    void choicesHaveTextsForEveryValue_data() { EveryParameter(); }
+    void choicesHaveTextsForEveryValue();
+    void valueOutsideItsRangeIsRefusedByName_data() { EveryParameter(); }
+    void valueOutsideItsRangeIsRefusedByName();
+    void refusalsAreSentences();
+    void limitsOfTheRangeAreAccepted_data() { EveryParameter(); }
+    void limitsOfTheRangeAreAccepted();
+    void missingValuesAreTheDefaultOfTheMesh();
+    void aBadValueIsFoundAmongGoodOnes();
+    void numbersAreWrittenWithoutLocale();
+    void floatsBecomeTheDecimalThatWasTyped();
+    void committedPageIsUpToDate();
+};
+
+void TestTables::filtersStandAtThePlaceOfTheirId()
+{
+    for (std::size_t i = 0; i < Filters().size(); ++i) QCOMPARE(static_cast<std::size_t>(Filters()[i].id), i);
+}
+
+void TestTables::filterNamesAreThoseOfTheContract()
+{
+    const std::map<QString, QString> promised = {
+        {"Laplacian Shape Descriptor", "compute_scalar_by_laplacian_descriptor_per_vertex"},
+        {"Select Feature Vertices by Laplacian Descriptor",
+         "compute_selection_by_laplacian_descriptor_per_vertex"},
+        {"Simplification: Laplacian-Guided Quadric Edge Collapse",
+         "meshing_decimation_laplacian_quadric_edge_collapse"},
+        {"Umbrella Smooth (Uniform, Scale- or Normal-Dependent)", "apply_coord_umbrella_smoothing"},
+    };
+    std::map<QString, QString> there;
+    for (const Filter& filter : Filters()) there[filter.name] = filter.pythonName;
+    QCOMPARE(there, promised);
+}
+
+void TestTables::filterNamesFitIntoMenusAndPython()
+{
+    for (const Filter& filter : Filters()) {
+        QVERIFY2(!QString(filter.name).contains('&'), filter.name); // a menu would swallow it
+        QVERIFY2(IsSnakeCase(filter.pythonName), filter.pythonName);
+        QVERIFY2(IsSnakeCase(filter.key), filter.key);
+        QVERIFY2(!filter.categories.empty() && filter.changes != 0, filter.name);
+        QVERIFY2(Description(filter).size() > 200, "the host's dialog shows it: a paragraph at least");
+    }
+}
+
+void TestTables::parameterIdsAreThoseOfTheContract_data()
+{
+    QTest::addColumn<FilterId>("filter");
+    QTest::addColumn<QStringList>("ids");
+    QTest::addRow("descriptor") << FilterId::ShapeDescriptor
+                                << QStringList{"descriptor", "rescale", "colorize", "selected_only"};
+    QTest::addRow("select") << FilterId::FeatureSelection << QStringList{"descriptor",
+                                                                         "classes",
+                                                                         "selected_classes",
+                                                                         "refine",
+                                                                         "minimum_feature_neighbours",
+                                                                         "refinement_floor",
+                                                                         "class_as_quality"};
+    QTest::addRow("guided") << FilterId::GuidedDecimation << QStringList{"target_faces",
+                                                                         "target_percent",
+                                                                         "feature_weight",
+                                                                         "effort",
+                                                                         "descriptor",
+                                                                         "boundary",
+                                                                         "preserve_topology",
+                                                                         "selected_only",
+                                                                         "new_layer",
+                                                                         "measure_error",
+                                                                         "order",
+                                                                         "threads"};
+    QTest::addRow("smooth") << FilterId::UmbrellaSmooth
+                            << QStringList{"operator", "steps", "step_size", "boundary", "selected_only"};
+}
+
+void TestTables::parameterIdsAreThoseOfTheContract()
+{
+    QFETCH(FilterId, filter);
+    QFETCH(QStringList, ids);
+    QStringList there;
+    for (const Parameter* row : ParametersOf(filter)) there << row->id;
+    QCOMPARE(there, ids);
+}
+
+void TestTables::returnedKeysAreThoseOfTheContract_data()
+{
+    QTest::addColumn<FilterId>("filter");
+    QTest::addColumn<QStringList>("ids");
+    QTest::addRow("descriptor") << FilterId::ShapeDescriptor
+                                << QStringList{"minimum", "maximum", "mean", "percentile_99_9", "seconds"};
+    QTest::addRow("select") << FilterId::FeatureSelection
+                            << QStringList{"thresholds", "centers",  "class_sizes",
+                                           "promoted",   "selected", "seconds"};
+    QTest::addRow("guided")
+        << FilterId::GuidedDecimation
+        << QStringList{"faces_before",   "faces",  "vertices",    "target_reached", "stop_reason",
+                       "hausdorff",      "rms",    "feature_rms", "folded",         "non_manifold_edges",
+                       "boundary_edges", "seconds"};
+}
+
+void TestTables::returnedKeysAreThoseOfTheContract()
+{
+    QFETCH(FilterId, filter);
+    QFETCH(QStringList, ids);
+    QStringList there;
+    for (const Result* row : ResultsOf(filter)) there << row->id;
+    QCOMPARE(there, ids);
+}
+
+void TestTables::idsAreSnakeCaseAndUniqueInAFilter()
+{
+    for (const Filter& filter : Filters()) {
+        std::set<QString> ids;
+        for (const Parameter* row : ParametersOf(filter.id)) {
+            QVERIFY2(IsSnakeCase(row->id), row->id);
+            QVERIFY2(ids.insert(row->id).second, row->id);
+        }
+        for (const Result* row : ResultsOf(filter.id)) {
+            QVERIFY2(IsSnakeCase(row->id), row->id);
+            QVERIFY2(ids.insert(row->id).second, row->id);
+        }
+    }
+}
+
+void TestTables::defaultsAreThoseOfTheContract()
+{
+    const auto text = [](FilterId filter, const char* id) {
+        return QString::fromStdString(DefaultText(Find(filter, id)));
+    };
+    const auto guided = FilterId::GuidedDecimation;
+    QCOMPARE(text(guided, "feature_weight"), "2");
+    QCOMPARE(text(guided, "effort"), "1 `balanced`");
+    QCOMPARE(text(guided, "boundary"), "1 `preserve`");
+    QCOMPARE(text(guided, "order"), "0 `sweeps`");
+    QCOMPARE(text(guided, "measure_error"), "true");
+    QCOMPARE(Find(guided, "target_faces").Default({100, 0}), 50.0);
+    QCOMPARE(Find(guided, "target_faces").Default({100, 30}), 15.0);
+    QCOMPARE(Find(guided, "target_faces").Default({0, 0}), 1.0);
+    QCOMPARE(Find(guided, "selected_only").Default({100, 0}), 0.0);
+    QCOMPARE(Find(guided, "selected_only").Default({100, 30}), 1.0);
+    QCOMPARE(text(FilterId::ShapeDescriptor, "colorize"), "true");
+    QCOMPARE(text(FilterId::ShapeDescriptor, "rescale"), "false");
+    QCOMPARE(text(FilterId::FeatureSelection, "classes"), "2");
+    QCOMPARE(text(FilterId::FeatureSelection, "selected_classes"), "1");
+    QCOMPARE(text(FilterId::FeatureSelection, "refinement_floor"), "0.5");
+    QCOMPARE(text(FilterId::UmbrellaSmooth, "steps"), "10");
+    QCOMPARE(text(FilterId::UmbrellaSmooth, "step_size"), "0.5");
+}
+
+void TestTables::defaultLiesInTheRangeOnEveryMesh()
+{
+    QFETCH(const Parameter*, parameter);
+    for (const MeshFacts& facts : kMeshes)
+        QCOMPARE(Complaint(*parameter, parameter->Default(facts)), QString());
+    QCOMPARE(parameter->defaultValue.onMesh != nullptr, *parameter->defaultValue.words != '\0');
+}
+
+void TestTables::everyRowIsExplained()
+{
+    QFETCH(const Parameter*, parameter);
+    QVERIFY(!parameter->filters.empty());
+    QVERIFY(qstrlen(parameter->label) > 0);
+    QVERIFY2(QString(parameter->help).endsWith('.'), parameter->help);
+    QVERIFY2(!QString(parameter->help).contains('|'), "it stands in a table of docs/filters.md");
+    QVERIFY(parameter->range.minimum < parameter->range.maximum);
+}
+
+void TestTables::choicesHaveTextsForEveryValue()
+{
+    QFETCH(const Parameter*, parameter);
+    QCOMPARE(parameter->type == ParameterType::Choice, !parameter->options.empty());
+    if (parameter->options.empty()) return;
+    QCOMPARE(parameter->range.minimum, 0.0);
+    QCOMPARE(parameter->range.maximum, static_cast<double>(parameter->options.size() - 1));
+    std::set<std::string> ids, texts;
+    for (const Option& option : parameter->options) {
+        QVERIFY2(IsSnakeCase(option.id.c_str()), option.id.c_str());
+        QVERIFY(ids.insert(option.id).second);
+        QVERIFY(!option.text.empty() && texts.insert(option.text).second);
+    }
+}
+
+void TestTables::valueOutsideItsRangeIsRefusedByName()
+{
+    QFETCH(const Parameter*, parameter);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::vector<GivenValue> bad = {
+        parameter->range.minimum - 1, parameter->range.maximum + 1, nan, infinity, -infinity,
+        std::string("many")};
+    if (parameter->type != ParameterType::Real) bad.emplace_back(parameter->range.minimum + 0.5);
+    if (!parameter->range.minimumIncluded) bad.emplace_back(parameter->range.minimum);
+    for (const GivenValue& value : bad) {
+        const QString complaint = Complaint(*parameter, value);
+        QVERIFY2(complaint.startsWith(QString(parameter->id) + " = "), qPrintable(complaint));
+        QVERIFY2(complaint.endsWith(QString::fromStdString(RangeText(*parameter))), qPrintable(complaint));
+    }
+}
+
+void TestTables::refusalsAreSentences()
+{
+    const auto guided = FilterId::GuidedDecimation;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(Complaint(Find(guided, "feature_weight"), 50.5), "feature_weight = 50.5 is outside [0, 50]");
+    QCOMPARE(Complaint(Find(guided, "feature_weight"), nan), "feature_weight = nan is outside [0, 50]");
+    QCOMPARE(Complaint(Find(guided, "target_faces"), -5.0),
+             "target_faces = -5 is outside [1, 2147483647] (faces)");
+    QCOMPARE(Complaint(Find(guided, "effort"), 7.0),
+             "effort = 7 is outside [0, 2] (0 fast, 1 balanced, 2 best)");
+    QCOMPARE(Complaint(Find(guided, "threads"), 1.5), "threads = 1.5 is not a whole number in [0, 1024]");
+    QCOMPARE(Complaint(Find(guided, "threads"), std::string("all")),
+             "threads = \"all\" is not a number in [0, 1024]");
+    QCOMPARE(Complaint(Find(FilterId::UmbrellaSmooth, "step_size"), 0.0), "step_size = 0 is outside (0, 1]");
+}
+
+void TestTables::limitsOfTheRangeAreAccepted()
+{
+    QFETCH(const Parameter*, parameter);
+    QCOMPARE(Complaint(*parameter, parameter->range.maximum), QString());
+    if (parameter->range.minimumIncluded)
+        QCOMPARE(Complaint(*parameter, parameter->range.minimum), QString());
+}
+
+void TestTables::missingValuesAreTheDefaultOfTheMesh()
+{
+    const Values values(FilterId::GuidedDecimation, {1000, 100},
+                        [](const Parameter&) { return std::nullopt; });
+    QCOMPARE(values.Integer("target_faces"), 50);
+    QCOMPARE(values.Boolean("selected_only"), true);
+    QCOMPARE(values.Real("feature_weight"), 2.0);
+    QVERIFY_EXCEPTION_THROWN(values.Real("no_such_parameter"), std::logic_error);
+}
+
+void TestTables::aBadValueIsFoundAmongGoodOnes()
+{
+    const auto given = [](const Parameter& row) -> std::optional<GivenValue> {
+        if (qstrcmp(row.id, "threads") == 0) return -1.0;
+        return std::nullopt;
+    };
+    QVERIFY_EXCEPTION_THROWN(Values(FilterId::GuidedDecimation, {}, given), std::invalid_argument);
+    Values(FilterId::ShapeDescriptor, {}, given); // has no such parameter
+}
+
+void TestTables::numbersAreWrittenWithoutLocale()
+{
+    QCOMPARE(NumberText(0.1), std::string("0.1"));
+    QCOMPARE(NumberText(-5), std::string("-5"));
+    QCOMPARE(NumberText(2147483647), std::string("2147483647"));
+    QCOMPARE(RoundedText(0.0123456, 3), std::string("0.0123"));
+}
+
+void TestTables::floatsBecomeTheDecimalThatWasTyped()
+{
+    QCOMPARE(ExactDecimal(33.3f), 33.3);
+    QCOMPARE(ExactDecimal(0.1f), 0.1);
+    QCOMPARE(ExactDecimal(0.1), 0.1);
+    QVERIFY(std::isnan(ExactDecimal(std::numeric_limits<float>::quiet_NaN())));
+    QVERIFY(std::isinf(ExactDecimal(std::numeric_limits<float>::infinity())));
+}
+
+void TestTables::committedPageIsUpToDate()
+{
+    QFile page(QString(SAMPLE_MESHES_DIR) + "/../docs/filters.md");
+    QVERIFY2(page.open(QIODevice::ReadOnly), qPrintable(page.fileName()));
+    QVERIFY2(page.readAll() == QByteArray::fromStdString(FiltersPage()),
+             "docs/filters.md differs from the tables: run scripts/write-filters-page");
+}
+
+QTEST_APPLESS_MAIN(TestTables)
+#include "test_tables.moc"
