@@ -117,7 +117,10 @@ class QueuedCollapse
     }
 
     /// Entries a face before outdated ones are thrown out of the heap.
-    static float HeapSimplexRatio(vcg::BaseParameterClass*) { return Method::kDirected ? 10.0F : 5.0F; }
+    static float HeapSimplexRatio(vcg::BaseParameterClass* parameters)
+    {
+        return static_cast<Run*>(parameters)->method().IsDirected() ? 10.0F : 5.0F;
+    }
 
   private:
     float priority_;
@@ -128,8 +131,8 @@ class QueuedCollapse
 /// A run of vcg::LocalOptimization over a mesh: its queue, clock and refused pairs.
 ///
 /// \tparam Method decides everything about one collapse:
-/// - `static constexpr bool kDirected`: a into b and b into a differ;
-/// - `bool IsFixed(vertex)`: may survive, but neither moves nor goes;
+/// - `bool IsDirected()`: a into b and b into a differ;
+/// - `bool MayGo(removed, kept)`: whether one may be merged into the other at all, whatever lies around them;
 /// - `double Estimate(removed, kept)`: cheap, at most what Assess will say or not much more;
 /// - `std::optional<CollapseAssessment> Assess(removed, kept, affordable)`: nothing where it is refused;
 /// - `bool IsLegal(removed, kept)`: topology;
@@ -157,18 +160,13 @@ class CollapseRun : public vcg::BaseParameterClass
     std::vector<RefusedPair> refused_;
     int now_ = 0;
 
+    /// Both directions of an edge where they differ, otherwise the one that is possible.
     void QueueEdge(VertexType& a, VertexType& b)
     {
-        QueueDirected(a, b);
-        if (Method::kDirected) QueueDirected(b, a);
-    }
-
-    void QueueDirected(VertexType& a, VertexType& b)
-    {
-        if (method_.IsFixed(a) && (Method::kDirected || method_.IsFixed(b))) return;
-        VertexType& removed = method_.IsFixed(a) ? b : a;
-        VertexType& kept = method_.IsFixed(a) ? a : b;
-        Push(Collapse({&removed, &kept}, now_, this));
+        const bool queuedOneWay = method_.MayGo(a, b);
+        if (queuedOneWay) Push(Collapse({&a, &b}, now_, this));
+        if ((method_.IsDirected() || !queuedOneWay) && method_.MayGo(b, a))
+            Push(Collapse({&b, &a}, now_, this));
     }
 
     void Push(const Collapse& collapse)

@@ -53,14 +53,11 @@ class GuidedCollapse
     static constexpr double kMemoryFloor = .35;
     /// Triangles better than this, 2 area / longest edge², are not told apart.
     static constexpr double kQualityClamp = .05;
-    static constexpr double kWorstQuality = 1e-9;
     /// Decides between edges that cost nothing: the shorter first.
     static constexpr double kLengthTerm = 1e-12;
     /// Pull to the midpoint where the quadric determines nothing.
     static constexpr double kTikhonov = 1e-6;
     static constexpr double kVolumeWeight = 3;
-    /// Smallest cosine between a face's normal before and after.
-    static constexpr double kSmallestTurnCosine = .2;
 
     Mesh& mesh_;
     GuidedParameters parameters_;
@@ -129,27 +126,7 @@ class GuidedCollapse
         return {moments.normal, moments.offset, kVolumeWeight * weight / moments.area};
     }
 
-    /// The worst quality of the faces that stay, at most kQualityClamp; nothing where one turns too far.
-    std::optional<double> WorstQuality(const Point& x) const
-    {
-        double worst = kQualityClamp;
-        for (const StarFace& face : starFaces_) {
-            const Point next = face.next - x, previous = face.previous - x;
-            const Point normal = next ^ previous;
-            const double area = normal.Norm();
-            if (face.doubleArea > 0 &&
-                !(normal.dot(face.normal) >= kSmallestTurnCosine * area * face.doubleArea && area > 0))
-                return std::nullopt;
-            const double longest = std::max(
-                {next.SquaredNorm(), previous.SquaredNorm(), (face.next - face.previous).SquaredNorm()});
-            worst = longest > 0 ? std::min(worst, area / longest) : 0;
-        }
-        return std::max(worst, kWorstQuality);
-    }
-
   public:
-    static constexpr bool kDirected = false;
-
     /// \pre vertex-face adjacency is up to date; \p mesh outlives the method
     GuidedCollapse(Mesh& mesh, GuidedParameters parameters)
         : mesh_(mesh), parameters_(std::move(parameters)), stars_(mesh, parameters_.boundary),
@@ -159,10 +136,14 @@ class GuidedCollapse
         stars_.Weigh(parameters_.descriptor, parameters_.featureWeight);
     }
 
+    static constexpr bool IsDirected() { return false; }
+
     bool IsFixed(const VertexType& vertex) const
     {
         return !parameters_.fixedVertices.empty() && parameters_.fixedVertices[IndexOf(vertex)] != 0;
     }
+
+    bool MayGo(const VertexType& removed, const VertexType&) const { return !IsFixed(removed); }
 
     double Estimate(VertexType& removed, VertexType& kept) const
     {
@@ -175,7 +156,7 @@ class GuidedCollapse
         const EdgeQuadric edge = QuadricOf(removed, kept);
         const StarMoments moments = stars_.Gather(removed, kept, edge.midpoint, starFaces_);
         const Point x = Placement(edge, IsFixed(kept), VolumePlaneOf(edge, moments));
-        const std::optional<double> quality = WorstQuality(x);
+        const std::optional<double> quality = WorstQuality(starFaces_, x, kQualityClamp);
         if (!quality) return std::nullopt;
         return CollapseAssessment{QuadricCost(edge, x) / *quality, x + edge.midpoint, true};
     }

@@ -11,6 +11,7 @@
 #include "collapse_ring.h"
 #include "decimation_types.h"
 #include "quadric.h"
+#include "star_face.h"
 
 namespace vcg_ext
 {
@@ -22,13 +23,6 @@ struct GuidedVertex {
     double weight = 1;              ///< w
     SymmetricMatrix star; ///< C, about the vertex itself: every plane of it passes through the vertex
     Quadric accumulated;  ///< A, about the vertex, times w
-};
-
-/// A face that outlives a collapse, seen from the corner that moves.
-struct StarFace {
-    vcg::Point3d next, previous; ///< the other corners
-    vcg::Point3d normal;         ///< before the collapse, 2 area long
-    double doubleArea;
 };
 
 /// Sums over the faces around an edge, of n·p and of n, 2 area long each: where the volume stays the same.
