@@ -82,6 +82,25 @@ inline DecimatedMesh Decimate(const MeshView& view, const DecimationParameters& 
                                              : DecimateSweeps(view, parameters);
 }
 
+/// What there is to say about a result, without the time that it took.
+inline DecimationReport ReportOn(const MeshView& view, const DecimatedMesh& result, std::size_t targetFaces,
+                                 bool measureError, int threads)
+{
+    DecimationReport report;
+    report.facesBefore = view.faceCount;
+    report.faces = result.triangles.size();
+    report.vertices = result.positions.size();
+    report.stopReason = result.stopReason;
+    report.targetReached = report.faces <= targetFaces;
+    if (report.stopReason == StopReason::Cancelled) return report;
+    report.edges = CountEdges(report.faces, [&](std::size_t f) { return result.triangles[f]; });
+    if (measureError && report.faces > 0) {
+        const auto descriptor = ComputeDescriptor(view, Descriptor::Laplacian, threads);
+        report.distances = MeasureDistances(view, result, descriptor, 100000, threads);
+    }
+    return report;
+}
+
 /// Decimates a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
 ///
 /// \param mesh any VCG triangle mesh, float or double; deleted elements, unreferenced vertices, several
@@ -105,19 +124,10 @@ Decimation Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters
     Decimation result;
     const auto start = Clock::now();
     result.mesh = Decimate(view, static_cast<const DecimationParameters&>(parameters));
-    DecimationReport& report = result.report;
-    report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    report.facesBefore = view.faceCount;
-    report.faces = result.mesh.triangles.size();
-    report.vertices = result.mesh.positions.size();
-    report.stopReason = result.mesh.stopReason;
-    report.targetReached = report.faces <= parameters.targetFaces;
-    if (report.stopReason == StopReason::Cancelled) return result;
-    report.edges = CountEdges(report.faces, [&](std::size_t f) { return result.mesh.triangles[f]; });
-    if (parameters.measureError && report.faces > 0) {
-        const auto descriptor = ComputeDescriptor(view, Descriptor::Laplacian, parameters.threads);
-        report.distances = MeasureDistances(view, result.mesh, descriptor, 100000, parameters.threads);
-    }
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.report =
+        ReportOn(view, result.mesh, parameters.targetFaces, parameters.measureError, parameters.threads);
+    result.report.seconds = seconds;
     return result;
 }
 
