@@ -53,7 +53,8 @@ struct SurfaceArrays {
 
 enum SurfaceFlag : std::uint8_t {
     kBorderVertex = 1, ///< on an edge that does not have exactly two faces
-    kFixedVertex = 2   ///< must keep its position (selection, lock)
+    kFixedVertex = 2,  ///< must keep its position (selection, lock)
+    kMovedVertex = 4   ///< simplified surface: moved by the refinement
 };
 
 } // namespace vcg_ext

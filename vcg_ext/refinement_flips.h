@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "point_triangle.h"
+#include "refinement_backward.h"
+#include "refinement_moves.h"
+#include "refinement_parameters.h"
+#include "refinement_samples.h"
+#include "refinement_star.h"
+#include "surface_arrays.h"
+#include "surface_corners.h"
+
+namespace vcg_ext::refinement
+{
+
+/// Faces that a vertex may gain by flips.
+constexpr std::uint32_t kFlipRoom = 3;
+
+/// Exchanges the diagonal of two faces where that is allowed and saves energy.
+/// One object per thread; it holds nothing but scratch between two calls.
+class EdgeFlipper
+{
+    /// An edge a b with the faces (a, b, c) and (b, a, d); the flip makes them (a, d, c) and (b, c, d).
+    struct Edge {
+        Corner atA, atB; ///< of a in the first face, of b in the second
+        std::uint32_t a, b, c, d;
+
+        std::uint32_t First() const { return FaceOf(atA); }
+        std::uint32_t Second() const { return FaceOf(atB); }
+    };
+    /// Seen from a.
+    struct Shape {
+        Vector3 a, b, c, d; ///< a is absolute, the others are differences from it
+        std::array<PreparedTriangle<float>, 2> before, after; ///< the second one after the flip seen from d
+    };
+
+    State& state_;
+    BackwardSearch search_;
+    Edge edge_{};
+    Shape shape_;
+    SampleGroups groups_;
+    BackwardPoints points_;
+    Scratch<std::uint32_t> neighbours_;
+
+  public:
+    explicit EdgeFlipper(State& state) : state_(state), search_(state.original) {}
+
+    /// Tries the edges from \p v to neighbours of higher index; returns how many were flipped.
+    std::size_t FlipAround(std::uint32_t v)
+    {
+        const SurfaceArrays& surface = state_.simplified;
+        neighbours_.Clear();
+        for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
+            if (const std::uint32_t w = NextVertex(surface, *c); w > v) neighbours_.Append() = w;
+        std::size_t flips = 0;
+        for (std::size_t i = 0; i < neighbours_.size(); ++i) flips += Flip(v, neighbours_[i]) ? 1 : 0;
+        return flips;
+    }
+
+  private:
+    bool Flip(std::uint32_t v, std::uint32_t w)
+    {
+        if (!FindEdge(v, w)) return false;
+        const RefinementParameters& p = state_.parameters;
+        SampleSummary summary;
+        Summarise(state_.samples, edge_.First(), summary);
+        Summarise(state_.samples, edge_.Second(), summary);
+        const float needed = p.flipGainOfMean * state_.meanSquare * summary.weight;
+        if (summary.count == 0 || summary.energy < needed) return false;
+        if (!ShapeAllows() || AreNeighbours(edge_.c, edge_.d)) return false;
+        if (!SavesEnergy(static_cast<double>(needed))) return false;
+        Accept();
+        return true;
+    }
+
+    bool IsFixed(std::uint32_t v) const { return (state_.simplified.flags[v] & kFixedVertex) != 0; }
+
+    /// Is v w an edge of exactly two faces of opposite direction, with different third corners, that may go?
+    /// An edge between fixed vertices stays, and with it every face that has no other corners.
+    bool FindEdge(std::uint32_t v, std::uint32_t w)
+    {
+        const SurfaceArrays& surface = state_.simplified;
+        if (IsFixed(v) && IsFixed(w)) return false;
+        const bool small = surface.cornerCount[v] <= surface.cornerCount[w];
+        const std::uint32_t hub = small ? v : w, other = small ? w : v;
+        std::size_t leaving = 0, arriving = 0;
+        Corner out = 0, in = 0;
+        for (const Corner* c = BeginCorners(surface, hub); c != EndCorners(surface, hub); ++c) {
+            if (NextVertex(surface, *c) == other) {
+                out = *c;
+                ++leaving;
+            }
+            if (PreviousVertex(surface, *c) == other) {
+                in = *c;
+                ++arriving;
+            }
+        }
+        if (leaving != 1 || arriving != 1) return false;
+        const std::uint32_t third = NextVertex(surface, in);
+        const int before[3] = {2, 0, 1};
+        edge_.a = hub;
+        edge_.b = other;
+        edge_.c = PreviousVertex(surface, out);
+        edge_.d = third;
+        edge_.atA = out;
+        edge_.atB = MakeCorner(FaceOf(in), before[IndexOf(in)]);
+        return edge_.c != edge_.d && HasRoom();
+    }
+    bool HasRoom() const
+    {
+        const SurfaceArrays& surface = state_.simplified;
+        constexpr std::uint32_t kFewestFaces = 3; // around a vertex that has lost one
+        const auto full = [&](std::uint32_t v) {
+            return surface.cornerCount[v] >= CornerCapacity(surface, v);
+        };
+        return surface.cornerCount[edge_.a] > kFewestFaces && surface.cornerCount[edge_.b] > kFewestFaces &&
+               !full(edge_.c) && !full(edge_.d);
+    }
+    bool AreNeighbours(std::uint32_t v, std::uint32_t w) const
+    {
+        const SurfaceArrays& surface = state_.simplified;
+        if (surface.cornerCount[v] > surface.cornerCount[w]) std::swap(v, w);
+        return std::any_of(BeginCorners(surface, v), EndCorners(surface, v),
+                           [&](Corner c) { return HasVertex(surface.triangles[FaceOf(c)], w); });
+    }
+
+    /// Fills shape_. Would the new faces be sound, and look where the old ones looked?
+    bool ShapeAllows()
+    {
+        const RefinementParameters& p = state_.parameters;
+        Shape& s = shape_;
+        s.a = PositionOf(state_.simplified, edge_.a);
+        s.b = PositionOf(state_.simplified, edge_.b) - s.a;
+        s.c = PositionOf(state_.simplified, edge_.c) - s.a;
+        s.d = PositionOf(state_.simplified, edge_.d) - s.a;
+        s.before = {PrepareTriangle(s.b, s.c), PrepareTriangle(s.d, s.b)};
+        s.after = {PrepareTriangle(s.d, s.c), PrepareTriangle(s.b - s.d, s.c - s.d)};
+        const Vector3 old0 = NormalOf(s.before[0]), old1 = NormalOf(s.before[1]);
+        const Vector3 new0 = NormalOf(s.after[0]), new1 = NormalOf(s.after[1]);
+        if (!(s.after[0].doubleArea > 0 && s.after[1].doubleArea > 0)) return false;
+        const Vector3 mean = s.before[0].doubleArea * old0 + s.before[1].doubleArea * old1;
+        const float least = p.smallestCosine * Norm(mean);
+        if (!(Dot(new0, mean) > least && Dot(new1, mean) > least)) return false;
+        const float fold = Dot(new0, new1);
+        if (fold < p.sharpestFold && fold < Dot(old0, old1)) return false;
+        const float oldQuality = std::min(s.before[0].quality, s.before[1].quality);
+        return std::min(s.after[0].quality, s.after[1].quality) >= std::min(p.flipQuality, oldQuality);
+    }
+
+    /// Leaves the samples' new distances and owners.
+    bool SavesEnergy(double needed)
+    {
+        const RefinementParameters& p = state_.parameters;
+        const float tolerable2 = p.tolerableDistance * p.tolerableDistance * state_.meanSquare;
+        groups_.Clear();
+        CollectSamples(state_.samples, edge_.First(), 0, shape_.a, groups_);
+        CollectSamples(state_.samples, edge_.Second(), 1, shape_.a, groups_);
+        float old2 = 0, new2 = 0;
+        double before = 0, after = 0;
+        MeasureForward(before, after, old2, new2);
+        if (after > before || new2 > std::max(old2, tolerable2)) return false;
+        const BackwardEnergy oldBackward = Backward(Vector3{}, shape_.b, shape_.c, shape_.d, shape_.before,
+                                                    p.backwardOutlier * std::max(old2, state_.meanSquare),
+                                                    std::numeric_limits<double>::max());
+        before += oldBackward.energy;
+        const double allowed = std::min(before * static_cast<double>(1 - p.flipGain), before - needed);
+        if (after >= allowed) return false;
+        const BackwardEnergy newBackward = Backward(shape_.c, shape_.d, Vector3{}, shape_.b, shape_.after,
+                                                    std::numeric_limits<float>::max(), allowed - after);
+        return after + newBackward.energy < allowed &&
+               newBackward.largest2 <= std::max(oldBackward.largest2, tolerable2);
+    }
+    void MeasureForward(double& before, double& after, float& old2, float& new2)
+    {
+        for (SampleGroup& group : groups_) {
+            const Float4 first = ClosestOnTriangle(group.point, shape_.after[0]).distance2;
+            const FourPoints fromD = Moved(group.point, -1.0F * shape_.d);
+            const Float4 second = ClosestOnTriangle(fromD, shape_.after[1]).distance2;
+            group.newOwner = (second < first) & Splat(1);
+            group.newDistance2 = Min(first, second);
+            before += static_cast<double>(SumLanes(group.weight * group.distance2));
+            after += static_cast<double>(SumLanes(group.weight * group.newDistance2));
+            old2 = std::max(old2, MaxLane(group.distance2));
+            new2 = std::max(new2, MaxLane(group.newDistance2));
+        }
+    }
+    /// Of the faces (u, v, x) and (v, u, y), at the midpoint of u v and at both centroids.
+    BackwardEnergy Backward(const Vector3& u, const Vector3& v, const Vector3& x, const Vector3& y,
+                            const std::array<PreparedTriangle<float>, 2>& faces, float limit2, double stop)
+    {
+        const RefinementParameters& p = state_.parameters;
+        const float area0 = p.backwardWeight * faces[0].doubleArea / 2;
+        const float area1 = p.backwardWeight * faces[1].doubleArea / 2;
+        std::array<Place, 3> hints;
+        points_.Clear();
+        points_.Append() = {0.5F * (u + v), p.backwardFlippedEdge * (area0 + area1), 0, &hints[0]};
+        points_.Append() = {(1.0F / 3) * (u + v + x), p.backwardFlippedFaces * area0, 0, &hints[1]};
+        points_.Append() = {(1.0F / 3) * (u + v + y), p.backwardFlippedFaces * area1, 0, &hints[2]};
+        for (BackwardPoint& point : points_) {
+            *point.hint = NearestOrigin(state_.samples, groups_, point.position);
+            point.position = point.position + shape_.a;
+        }
+        return MeasureBackward(search_, points_, limit2, stop, nullptr);
+    }
+
+    void Accept()
+    {
+        SurfaceArrays& surface = state_.simplified;
+        const std::array<std::uint32_t, 2> faces{edge_.First(), edge_.Second()};
+        const Corner atB = MakeCorner(faces[0], (IndexOf(edge_.atA) + 1) % 3);
+        const Corner atA = MakeCorner(faces[1], (IndexOf(edge_.atB) + 1) % 3);
+        RemoveCorner(surface, edge_.b, atB);
+        RemoveCorner(surface, edge_.a, atA);
+        surface.triangles[faces[0]].v[IndexOf(atB)] = edge_.d;
+        surface.triangles[faces[1]].v[IndexOf(atA)] = edge_.c;
+        AddCorner(surface, edge_.d, atB);
+        AddCorner(surface, edge_.c, atA);
+        for (const std::uint32_t face : faces) {
+            state_.centroidHints[face] = kNone;
+            for (int k = 0; k < 3; ++k) state_.edgeHints[EdgeHint(MakeCorner(face, k))] = kNone;
+        }
+        StoreSamples(state_.samples, groups_, 2, [&](std::size_t i) { return faces[i]; });
+    }
+};
+
+} // namespace vcg_ext::refinement
