@@ -49,6 +49,8 @@ class Buffer
         data_.reset(static_cast<T*>(::operator new((size + kReadablePadding) * sizeof(T), kAlignment)));
         size_ = size;
     }
+    /// Forgets all but the first \p size values; the memory stays. \pre size <= size()
+    void Shrink(std::size_t size) { size_ = size; }
     void Release()
     {
         data_.reset();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <omp.h>
 
@@ -49,6 +50,19 @@ void ParallelRanges(int threads, std::size_t items, std::size_t grain, const Bod
     ParallelFor(threads, (items + grain - 1) / grain, [&](std::size_t range, int thread) {
         body(range * grain, std::min(items, (range + 1) * grain), thread);
     });
+}
+
+/// Adds \p amount to \p counter, which other threads add to at the same time, and returns what it held
+/// before. What is claimed this way arrives in no fixed order: sort it before a result can depend on it.
+inline std::uint32_t FetchAdd(std::uint32_t& counter, std::uint32_t amount)
+{
+    std::uint32_t before = 0;
+#pragma omp atomic capture
+    {
+        before = counter;
+        counter += amount;
+    }
+    return before;
 }
 
 } // namespace vcg_ext

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #if defined(__SSE2__)
@@ -172,6 +173,18 @@ inline Int4 FirstLanes(int count)
 {
     return Int4{0, 1, 2, 3} < Splat(std::int32_t{count});
 }
+/// 1 in the first \p count lanes, 0 in the others.
+inline Float4 LaneWeights(std::uint32_t count)
+{
+    return Select(FirstLanes(count > 4 ? 4 : static_cast<int>(count)), Splat(1.0f), Splat(0.0f));
+}
+/// Four integers from anywhere.
+inline Int4 LoadIntegers(const std::uint32_t* p)
+{
+    Int4 integers;
+    std::memcpy(&integers, p, sizeof integers);
+    return integers;
+}
 /// Four points of {x, y, z, payload} as three coordinate vectors and one of payloads.
 inline void LoadTransposed(const float* p0, const float* p1, const float* p2, const float* p3, Float4& x,
                            Float4& y, Float4& z, Float4& payload)
@@ -181,6 +194,16 @@ inline void LoadTransposed(const float* p0, const float* p1, const float* p2, co
     z = Load(p2);
     payload = Load(p3);
     Transpose(x, y, z, payload);
+}
+/// The columns {a, b, c, d} as four rows. \pre 16-byte aligned
+inline void StoreTransposed(float* p0, float* p1, float* p2, float* p3, Float4 a, Float4 b, Float4 c,
+                            Float4 d)
+{
+    Transpose(a, b, c, d);
+    Store(p0, a);
+    Store(p1, b);
+    Store(p2, c);
+    Store(p3, d);
 }
 
 } // namespace vcg_ext
