@@ -11,6 +11,7 @@ import json
 import signal
 import sys
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
@@ -57,47 +58,46 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _run(command: Command, options: argparse.Namespace, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Reads, filters and writes in a worker process; the output appears when all of it went well."""
+    """Reads, filters and writes in a worker process; the files appear when all of it went well."""
     with (
+        _staged_report(options.json) as staged_report,
         staged_output(options.output, source=options.input) as staged,
-        tqdm(total=100, disable=None, leave=False, unit="%", bar_format="{desc} {bar} {n:.0f} %") as bar,
+        tqdm(total=100, disable=None, leave=False, bar_format="{desc} {bar} {n:.0f} %") as bar,
     ):
 
         def show(percent: int, stage: str) -> None:
             bar.set_description_str(stage, refresh=False)
             bar.update(percent - bar.n)
 
-        report: dict[str, Any] = run_in_worker(partial(_work, command, options.input, staged, values), show)
+        job = partial(_work, command, options.input, options.output, staged, values)
+        report: dict[str, Any] = run_in_worker(job, show)
+        if staged_report:
+            staged_report.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
     return report
 
 
-def _work(command: Command, source: str, staged: Path, values: Mapping[str, Any]) -> dict[str, Any]:
+def _staged_report(path: str | None) -> AbstractContextManager[Path | None]:
+    return nullcontext() if path in (None, "-") else staged_output(str(path))
+
+
+def _work(command: Command, source: str, target: str, staged: Path, values: Mapping[str, Any]) -> dict[str, Any]:
     """What the worker process does."""
-    check_format(staged)
+    check_format(staged, shown=target)
     mesh_set = read_mesh(source)
     load()
     mesh_set.set_verbosity(True)  # then progress is written, which the command follows
     report = command.function(mesh_set, **values)
     mesh_set.set_verbosity(False)
-    save_checked(mesh_set, staged)
+    save_checked(mesh_set, staged, shown=target)
     return report.to_dict()
 
 
 def _show(options: argparse.Namespace, report: Mapping[str, Any]) -> None:
-    """The report for people, and as JSON where it was asked for."""
+    """The report for people, and as JSON where standard output was asked for."""
     text = summary(options.input, options.output, report)
     print(text, file=sys.stderr if options.json == "-" else sys.stdout)
     if options.json == "-":
         print(json.dumps(report, indent=2))
-    elif options.json:
-        _write_text(Path(options.json), json.dumps(report, indent=2) + "\n")
-
-
-def _write_text(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise OSError(f"{path} cannot be written: {error.strerror}") from None
 
 
 def _with_option_name(message: str) -> str:

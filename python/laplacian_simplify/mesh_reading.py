@@ -39,6 +39,8 @@ def read_mesh(path: str | Path) -> "pymeshlab.MeshSet":
     not_finite = _NOT_FINITE.search(log.text)
     if not_finite and int(not_finite[1]) > 0:
         raise OSError(f"{path} cannot be used: {_count(int(not_finite[1]))} with coordinates that are not finite")
+    if path.suffix.lower() == ".obj":
+        _check_obj(path, mesh_set.current_mesh().face_number())
     if mesh_set.mesh_number() != 1:
         raise OSError(f"{path} cannot be used: it holds {mesh_set.mesh_number()} meshes instead of one")
     return mesh_set
@@ -92,6 +94,21 @@ def _check_off_faces(path: Path, lines: Iterator[list[bytes]], vertices: int, fa
         raise OSError(f"{path} cannot be read: the file ends after {found} of {faces} faces")
 
 
+def _check_obj(path: Path, faces_read: int) -> None:
+    """Looks for the reason where faces are missing: pymeshlab drops those with a wrong index without a word."""
+    with path.open("rb") as file:
+        corners = [line.split()[1:] for line in file if line.startswith(b"f ")]
+    if faces_read >= sum(len(face) - 2 for face in corners):
+        return
+    with path.open("rb") as file:
+        vertices = sum(line.startswith((b"v ", b"v\t")) for line in file)
+    for face in corners:
+        for corner in face:
+            index = int(corner.partition(b"/")[0])
+            if not 1 <= abs(index) <= vertices:
+                raise OSError(f"{path} cannot be read: a face has the vertex {index}, which is outside 1..{vertices}")
+
+
 def _count(vertices: int) -> str:
     return "1 vertex" if vertices == 1 else f"{vertices} vertices"
 
@@ -102,4 +119,6 @@ def _reason(error: Exception) -> str:
         return "it announces more elements than fit into memory"
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     reason = lines[-1] if lines else "unknown reason"
-    return re.sub(r"^Error details: ", "", reason).rstrip(".")
+    if reason.startswith("Unknown format"):
+        return f"the format '.{reason.split()[-1]}' is unknown"
+    return reason.removeprefix("Error details: ").rstrip(".")

@@ -24,7 +24,7 @@ def write_mesh(mesh_set: "pymeshlab.MeshSet", path: str | Path, *, source: str |
         OSError: it could not be written; the text is one line that names the file and the reason.
     """
     with staged_output(path, source=source) as staged:
-        save_checked(mesh_set, staged)
+        save_checked(mesh_set, staged, shown=path)
 
 
 @contextmanager
@@ -70,40 +70,39 @@ def _publish(staged: Path, target: Path, *, keep: bool) -> None:
     staged.replace(target)
 
 
-def check_format(path: Path) -> None:
+def check_format(path: Path, *, shown: str | Path) -> None:
     """Refuses, before any work is done, a name whose format pymeshlab cannot write.
 
     Raises:
-        OSError: names the format.
+        OSError: names shown and the reason.
     """
     import pymeshlab
 
     probe = pymeshlab.MeshSet()
     probe.create_cube()
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
-        save_checked(probe, Path(folder) / ("probe" + path.suffix), shown=path)
+        save_checked(probe, Path(folder) / ("probe" + path.suffix), shown=shown)
 
 
-def save_checked(mesh_set: "pymeshlab.MeshSet", path: Path, *, shown: Path | None = None) -> None:
-    """Saves the current mesh and reads it back: pymeshlab does not notice when a disk is full.
+def save_checked(mesh_set: "pymeshlab.MeshSet", path: Path, *, shown: str | Path) -> None:
+    """Saves the current mesh and reads it back: not every loss is noticed while it is written.
 
     Raises:
-        OSError: names the reason and shown, or path.
+        OSError: names shown, which stands for the path, and the reason.
     """
     import pymeshlab
 
-    name = (shown or path).name
     try:
         with caught_output():
             mesh_set.save_current_mesh(str(path))
     except pymeshlab.PyMeshLabException as error:
-        lines = str(error).strip().splitlines()
-        reason = f"format '{path.suffix}' is unknown" if "Unknown format" in lines[-1] else lines[-1]
-        raise OSError(f"{name} cannot be written: {reason}") from None
+        reason = str(error).strip().splitlines()[-1]
+        reason = f"the format '{path.suffix}' is unknown" if "Unknown format" in reason else reason
+        raise OSError(f"{shown} cannot be written: {reason}") from None
     faces = mesh_set.current_mesh().face_number()
     found = _faces_of(path)
     if found is not None and found != faces and path.suffix.lower() not in _WITHOUT_SHARED_VERTICES:
-        raise OSError(f"{name} cannot be written: only {found} of {faces} faces arrived in the file")
+        raise OSError(f"{shown} cannot be written: the format '{path.suffix}' keeps {found} of {faces} faces")
 
 
 def _faces_of(path: Path) -> int | None:

@@ -77,7 +77,9 @@ def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter)
     parser.add_argument("input", metavar="INPUT", help="mesh file, in any format that MeshLab reads")
     parser.add_argument("output", metavar="OUTPUT", help="mesh file, in any format that MeshLab writes")
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
-    targets = parser.add_mutually_exclusive_group(required=row.has("target_faces"))
+    targets: argparse._ActionsContainer = parser
+    if row.has("target_faces"):
+        targets = parser.add_mutually_exclusive_group(required=True)
     other_defaults = dict(command.other_defaults)
     for parameter in row.parameters:
         if parameter.id in WITHOUT_OPTION:

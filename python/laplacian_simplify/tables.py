@@ -45,14 +45,18 @@ class Parameter:
         if value in ids:
             return ids.index(str(value))
         if not isinstance(value, bool | int | float) or not self._contains(value):
-            raise ValueError(f"{self.id} = {value} is outside {self.range_text}")
+            raise ValueError(f"{self.id} = {_shown(value)} is outside {self.range_text}")
         if self.type != "real" and value != int(value):
-            raise ValueError(f"{self.id} = {value} is not a whole number in {self.range_text}")
+            raise ValueError(f"{self.id} = {_shown(value)} is not a whole number in {self.range_text}")
         return value
 
     def _contains(self, value: float) -> bool:
         above = value >= self.minimum if self.minimum_included else value > self.minimum
         return above and value <= self.maximum  # written so that NaN is refused
+
+
+def _shown(value: object) -> str:
+    return str(value).removesuffix(".0")
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the guided decimation promises, seen from Python."""
+
+import numpy as np
+import pytest
+from conftest import SAMPLE_MESHES, SAMPLE_NAMES, non_manifold_edges, positions_and_faces, run_command
+
+import laplacian_simplify as ls
+
+
+@pytest.mark.parametrize("percent", [50, 10, 2])
+@pytest.mark.parametrize("sample", SAMPLE_NAMES)
+def test_target_and_edges(sample: str, percent: float, load_sample) -> None:
+    mesh_set = load_sample(sample)
+    _, faces_before = positions_and_faces(mesh_set)
+    report = ls.simplify(mesh_set, target_percent=percent)
+    positions, faces = positions_and_faces(mesh_set)
+    assert report.target_reached, report
+    assert report.stop_reason_text == "target reached"
+    assert report.faces_before == len(faces_before)
+    target = percent / 100 * len(faces_before)
+    assert target - 2 <= report.faces == len(faces) <= target + 1
+    assert report.vertices == len(positions)
+    assert report.non_manifold_edges == non_manifold_edges(faces) <= non_manifold_edges(faces_before)
+    corners = np.sort(faces, axis=1)
+    assert (corners[:, 0] < corners[:, 1]).all()
+    assert (corners[:, 1] < corners[:, 2]).all()
+    assert len(np.unique(corners, axis=0)) == len(corners)
+
+
+@pytest.mark.parametrize("order", ["sweeps", "strict"])
+@pytest.mark.parametrize("sample", ["flange.ply", "relief_scan.ply", "leaves_and_cones.ply"])
+def test_same_result_again_and_with_any_number_of_threads(sample: str, order: str, load_sample) -> None:
+    results = []
+    for threads in (1, 2, 3, 1):
+        mesh_set = load_sample(sample)
+        ls.simplify(mesh_set, target_percent=10, threads=threads, order=order, measure_error=False)
+        results.append(positions_and_faces(mesh_set))
+    for positions, faces in results[1:]:
+        assert np.array_equal(positions, results[0][0])
+        assert np.array_equal(faces, results[0][1])
+
+
+def test_the_command_writes_the_same_bytes_again(tmp_path) -> None:
+    outputs = [tmp_path / "once.ply", tmp_path / "again.ply"]
+    for output, threads in zip(outputs, (1, 2), strict=True):
+        source = SAMPLE_MESHES / "relief_scan.ply"
+        done = run_command("simplify", source, output, "--percent", 10, "--threads", threads)
+        assert done.returncode == 0, done.stderr
+    assert outputs[0].read_bytes() == outputs[1].read_bytes()
+
+
+def test_new_layer_keeps_the_original(load_sample) -> None:
+    mesh_set = load_sample("flange.ply")
+    original = positions_and_faces(mesh_set)
+    report = ls.simplify(mesh_set, target_percent=10, new_layer=True)
+    assert mesh_set.mesh_number() == 2
+    assert mesh_set.current_mesh().face_number() == report.faces
+    mesh_set.set_current_mesh(0)
+    for kept, before in zip(positions_and_faces(mesh_set), original, strict=True):
+        assert np.array_equal(kept, before)
+
+
+def test_only_the_selection_changes(load_sample) -> None:
+    mesh_set = load_sample("relief_scan.ply")
+    mesh_set.compute_selection_by_condition_per_face(condselect="(x0 + x1 + x2) < 0")
+    selected = mesh_set.current_mesh().selected_face_number()
+    positions, faces = positions_and_faces(mesh_set)
+    outside = positions[faces].sum(axis=1)[:, 0] >= 0
+    report = ls.simplify(mesh_set, target_percent=10)
+    after_positions, after_faces = positions_and_faces(mesh_set)
+    assert report.faces == pytest.approx(len(faces) - 0.9 * selected, abs=2)
+    before = {tuple(triangle.ravel()) for triangle in positions[faces[outside]]}
+    after = {tuple(triangle.ravel()) for triangle in after_positions[after_faces]}
+    assert before <= after
+
+
+def test_locked_borders_stay_and_preserved_ones_keep_their_course(load_sample) -> None:
+    for boundary, tolerance in (("lock", 0.0), ("preserve", 1e-3)):
+        mesh_set = load_sample("folded_sheet.ply")
+        ls.simplify(mesh_set, target_percent=20, boundary=boundary)
+        mesh_set.compute_selection_from_mesh_border()
+        mesh = mesh_set.current_mesh()
+        border = mesh.vertex_matrix()[mesh.vertex_selection_array()]
+        outer = border[np.hypot(border[:, 0] - 0.45, border[:, 1] + 0.3) > 0.4]
+        assert abs(abs(outer[:, :2]).max(axis=1) - 1).max() <= tolerance
+        if boundary == "lock":
+            assert len(outer) == 4 * 90
+
+
+def test_preserve_topology_keeps_handle_and_components(load_sample) -> None:
+    mesh_set = load_sample("flange.ply")
+    ls.simplify(mesh_set, target_faces=60, preserve_topology=True)
+    assert mesh_set.get_topological_measures()["genus"] == 1
+
+
+def test_a_target_out_of_reach_is_a_report(tmp_path) -> None:
+    source = SAMPLE_MESHES / "folded_sheet.ply"
+    done = run_command("simplify", source, tmp_path / "out.ply", "--faces", 1, "--boundary", "lock")
+    assert done.returncode == 0, done.stderr
+    assert "target NOT reached: no legal collapse left" in done.stdout
+    assert (tmp_path / "out.ply").is_file()
+
+
+def test_features_are_kept_better_than_by_plain_decimation(load_sample) -> None:
+    """The edges of the bracket, at a strong reduction, against feature_weight = 0."""
+    guided = ls.simplify(load_sample("bracket_quads.ply"), target_percent=10, feature_weight=4)
+    plain = ls.simplify(load_sample("bracket_quads.ply"), target_percent=10, feature_weight=0)
+    assert guided.feature_rms is not None
+    assert plain.feature_rms is not None
+    assert guided.feature_rms <= plain.feature_rms
+
+
+def test_unmeasured_distances_are_absent(load_sample) -> None:
+    report = ls.simplify(load_sample("flange.ply"), target_percent=50, measure_error=False)
+    assert report.rms is None
+    assert "rms" not in report.to_dict()
+
+
+def test_no_more_faces_than_there_are_leaves_the_mesh(load_sample) -> None:
+    mesh_set = load_sample("painted_box.obj")
+    before = positions_and_faces(mesh_set)
+    report = ls.simplify(mesh_set, target_faces=10_000)
+    assert report.faces == report.faces_before == 3072
+    for now, then in zip(positions_and_faces(mesh_set), before, strict=True):
+        assert np.array_equal(now, then)

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The plugin is loaded once, into the one pymeshlab that it fits; the wheel brings it along."""
+
+import subprocess
+import sys
+import sysconfig
+import tomllib
+import zipfile
+from importlib.metadata import requires
+from pathlib import Path
+
+import pymeshlab
+import pytest
+
+import laplacian_simplify as ls
+from laplacian_simplify.plugin import check_pymeshlab
+from laplacian_simplify.tables import filters
+
+PROJECT = Path(__file__).parents[1]
+
+
+def test_loading_twice_is_loading_once() -> None:
+    ls.load()
+    plugins = pymeshlab.number_plugins()
+    ls.load()
+    assert pymeshlab.number_plugins() == plugins
+    for row in filters():
+        assert pymeshlab.filter_list().count(row.python_name) == 1
+
+
+@pytest.mark.parametrize("version", ["2025.7", "2023.12.post3", "2026.1"])
+def test_every_other_pymeshlab_is_refused(version: str) -> None:
+    with pytest.raises(ImportError) as raised:
+        check_pymeshlab(version)
+    assert f"needs pymeshlab {ls.PYMESHLAB_VERSION}, but {version} is installed" in str(raised.value)
+    assert "pip install" in str(raised.value)
+
+
+def test_the_package_requires_the_version_that_it_checks() -> None:
+    project = tomllib.loads((PROJECT / "pyproject.toml").read_text())["project"]
+    assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in project["dependencies"]
+    assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in (requires("laplacian-simplify") or [])
+
+
+def test_importing_loads_nothing() -> None:
+    code = "import sys, laplacian_simplify; sys.exit('pymeshlab' in sys.modules)"
+    assert subprocess.run([sys.executable, "-P", "-c", code], check=False).returncode == 0
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("wheel")
+    words = [sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-index", "--no-build-isolation", "-w", str(folder)]
+    subprocess.run([*words, str(PROJECT)], check=True, capture_output=True)
+    return next(folder.glob("*.whl"))
+
+
+def test_the_wheel_carries_plugin_tables_and_hints(wheel: Path) -> None:
+    names = {Path(name).name for name in zipfile.ZipFile(wheel).namelist()}
+    assert {"libfilter_laplacian_simplify.so", "tables.json", "py.typed", "entry_points.txt"} <= names
+    assert wheel.name.startswith("laplacian_simplify-")
+    assert "py3-none-" in wheel.name
+
+
+def test_the_wheel_works_in_a_fresh_environment(wheel: Path, tmp_path: Path) -> None:
+    """Its dependencies are lent by this environment, so that nothing is downloaded."""
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(tmp_path / "fresh")], check=True)
+    packages = next((tmp_path / "fresh" / "lib").glob("python3.*")) / "site-packages"
+    lent = sysconfig.get_paths()["purelib"]
+    words = [sys.executable, "-m", "pip", "install", "--no-deps", "--no-index", "--prefix", str(tmp_path / "fresh")]
+    subprocess.run([*words, "--ignore-installed", str(wheel)], check=True, capture_output=True)
+    (packages / "lent.pth").write_text(lent + "\n")
+    command = tmp_path / "fresh" / "bin" / "laplacian-simplify"
+    source, target = PROJECT.parent / "sample_meshes" / "flange.ply", tmp_path / "small.ply"
+    done = subprocess.run(
+        [tmp_path / "fresh" / "bin" / "python", "-I", command, "simplify", source, target, "--faces", "1000"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert target.is_file()

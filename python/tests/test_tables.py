@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The functions, their reports and the command say what the plugin's tables say."""
+
+import dataclasses
+import inspect
+import typing
+
+import pytest
+
+import laplacian_simplify as ls
+from laplacian_simplify.report import Report
+from laplacian_simplify.tables import Parameter, filter_named, filters
+
+FUNCTIONS = {
+    "compute_scalar_by_laplacian_descriptor_per_vertex": ls.descriptor,
+    "compute_selection_by_laplacian_descriptor_per_vertex": ls.classify,
+    "meshing_decimation_laplacian_quadric_edge_collapse": ls.simplify,
+    "meshing_decimation_laplacian_weighted_edge_collapse": ls.weighted,
+    "apply_coord_umbrella_smoothing": ls.smooth,
+}
+ROWS = [
+    pytest.param(row, parameter, id=f"{row.name}: {parameter.id}") for row in filters() for parameter in row.parameters
+]
+
+
+@pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
+def test_every_filter_has_a_function_with_its_parameters(row) -> None:
+    parameters = inspect.signature(FUNCTIONS[row.python_name]).parameters
+    assert list(parameters)[1:] == [name for name in parameters if name != "mesh"]
+    assert set(parameters) - {"mesh"} == {parameter.id for parameter in row.parameters}
+    assert all(p.kind is p.KEYWORD_ONLY and p.default is None for name, p in parameters.items() if name != "mesh")
+
+
+@pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
+def test_every_parameter_is_documented(row) -> None:
+    text = inspect.getdoc(FUNCTIONS[row.python_name])
+    assert text is not None
+    for parameter in row.parameters:
+        assert f"    {parameter.id}: " in text
+
+
+@pytest.mark.parametrize(("row", "parameter"), ROWS)
+def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
+    hints = typing.get_type_hints(FUNCTIONS[row.python_name], {"pymeshlab": typing})
+    hint = str(hints[parameter.id])
+    expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int"}[parameter.type]
+    assert expected in hint
+    for option in parameter.options:
+        assert f"'{option.id}'" in hint
+
+
+@pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
+def test_every_result_is_a_field_of_the_report(row) -> None:
+    report_type = inspect.signature(FUNCTIONS[row.python_name]).return_annotation
+    assert issubclass(report_type, Report)
+    fields = {field.name: field for field in dataclasses.fields(report_type) if field.name != "mesh_set"}
+    assert set(fields) == {result.id for result in row.results}
+    for result in row.results:
+        required = fields[result.id].default is dataclasses.MISSING
+        assert required or result.optional, result.id
+
+
+@pytest.mark.parametrize(("row", "parameter"), ROWS)
+def test_the_range_is_checked_here_and_by_the_plugin_in_the_same_words(row, parameter: Parameter, load_sample) -> None:
+    mesh_set = load_sample("painted_box.obj")
+    before = mesh_set.current_mesh().vertex_matrix().copy()
+    for value in _outside(parameter):
+        with pytest.raises(ValueError, match=f"^{parameter.id} = ") as ours:
+            FUNCTIONS[row.python_name](mesh_set, **{parameter.id: value})
+        if parameter.type != "choice":  # pymeshlab itself refuses those
+            with pytest.raises(Exception, match=f"{parameter.id} = ") as plugins:
+                mesh_set.apply_filter(row.python_name, **{parameter.id: value})
+            assert str(ours.value) in str(plugins.value)
+    assert (mesh_set.current_mesh().vertex_matrix() == before).all()
+
+
+def _outside(parameter: Parameter) -> list[float]:
+    if parameter.type == "boolean":
+        return []
+    values = [parameter.minimum - 1]
+    if parameter.maximum < 2**31 - 1:
+        values.append(parameter.maximum + 1)
+    if not parameter.minimum_included:
+        values.append(parameter.minimum)
+    return [int(value) for value in values] if parameter.type != "real" else [*values, float("nan")]
+
+
+def test_unknown_names_are_refused(load_sample) -> None:
+    with pytest.raises(TypeError, match="no_such_parameter"):
+        ls.simplify(load_sample("painted_box.obj"), no_such_parameter=1)  # type: ignore[call-arg]
+    with pytest.raises(LookupError, match="no_such_filter"):
+        filter_named("no_such_filter")
+
+
+def test_a_choice_is_a_word_or_a_number(load_sample) -> None:
+    for effort in ("fast", 0):
+        assert ls.simplify(load_sample("painted_box.obj"), target_faces=500, effort=effort).faces <= 500
+    with pytest.raises(ValueError, match="effort = fastest is outside"):
+        ls.simplify(load_sample("painted_box.obj"), effort="fastest")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"classes = 2\.5 is not a whole number"):
+        ls.classify(load_sample("painted_box.obj"), classes=2.5)  # type: ignore[arg-type]

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Progress is shown on a terminal only; a run that is stopped leaves nothing."""
+
+import os
+import pty
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from conftest import SAMPLE_MESHES, run_command
+
+from laplacian_simplify.worker import run_in_worker
+
+SCAN = SAMPLE_MESHES / "relief_scan.ply"
+
+
+def _on_terminal(*arguments: object) -> str:
+    """What the command writes to a terminal."""
+    ours, theirs = pty.openpty()
+    words = [sys.executable, "-P", "-m", "laplacian_simplify", *map(str, arguments)]
+    process = subprocess.Popen(words, stdout=theirs, stderr=theirs, stdin=subprocess.DEVNULL)
+    os.close(theirs)
+    written = b""
+    while True:
+        try:
+            piece = os.read(ours, 65536)
+        except OSError:  # the other end is closed
+            break
+        written += piece
+    os.close(ours)
+    assert process.wait() == 0
+    return written.decode()
+
+
+def test_progress_on_a_terminal(tmp_path: Path) -> None:
+    written = _on_terminal("simplify", SCAN, tmp_path / "small.ply", "--percent", 10)
+    assert "%\r" in written or "%\x1b" in written
+    assert "50,000 -> " in written
+
+
+def test_no_progress_elsewhere(tmp_path: Path) -> None:
+    done = run_command("simplify", SCAN, tmp_path / "small.ply", "--percent", 10)
+    assert done.stderr == ""
+    assert "\r" not in done.stdout
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
+def test_a_stopped_run_leaves_nothing(stop: signal.Signals, tmp_path: Path) -> None:
+    words = [sys.executable, "-P", "-m", "laplacian_simplify", "simplify", SCAN, tmp_path / "out.ply"]
+    words += ["--percent", "1", "--effort", "best", "--threads", "1"]
+    process = subprocess.Popen(list(map(str, words)), stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.send_signal(stop)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said == "laplacian-simplify: error: stopped; nothing was written\n"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_worker_that_crashes_is_a_message() -> None:
+    with pytest.raises(ChildProcessError, match="SIGSEGV"):
+        run_in_worker(lambda: os.kill(os.getpid(), signal.SIGSEGV), lambda *_: None)
+
+
+def test_a_worker_passes_progress_and_errors_on() -> None:
+    seen = []
+
+    def job() -> None:
+        os.write(2, b"LOG: 2 Collapsing    [ 40% ]\nnoise\n")
+        raise ValueError("too much")
+
+    with pytest.raises(ValueError, match="too much"):
+        run_in_worker(job, lambda percent, stage: seen.append((percent, stage)))
+    assert seen == [(40, "Collapsing")]
