@@ -84,13 +84,21 @@ struct PreparedTriangle {
     Real quality; ///< double area / square of the longest edge: .866 if equilateral, 0 if degenerate
 };
 
-inline float Max(float a, float b)
+inline float LargerOf(float a, float b)
 {
     return std::max(a, b);
 }
-inline float Sqrt(float a)
+inline Float4 LargerOf(Float4 a, Float4 b)
+{
+    return Max(a, b);
+}
+inline float RootOf(float a)
 {
     return std::sqrt(a);
+}
+inline Float4 RootOf(Float4 a)
+{
+    return Sqrt(a);
 }
 inline float OrZero(bool keep, float a)
 {
@@ -115,15 +123,15 @@ inline PreparedTriangle<Real> PrepareTriangle(Real bx, Real by, Real bz, Real cx
     t.bb = bx * bx + by * by + bz * bz;
     t.bc = bx * cx + by * cy + bz * cz;
     t.cc = cx * cx + cy * cy + cz * cz;
-    t.inverseBB = one / Max(t.bb, smallest);
-    t.inverseCC = one / Max(t.cc, smallest);
-    t.inverseFar = one / Max(far2, smallest);
-    const auto proper = normal2 > Max(kFlattestSine2 * t.bb * t.cc, smallest);
-    t.inverseDeterminant = OrZero(proper, one / Max(normal2, smallest));
-    t.doubleArea = OrZero(proper, Sqrt(normal2));
+    t.inverseBB = one / LargerOf(t.bb, smallest);
+    t.inverseCC = one / LargerOf(t.cc, smallest);
+    t.inverseFar = one / LargerOf(far2, smallest);
+    const auto proper = normal2 > LargerOf(kFlattestSine2 * t.bb * t.cc, smallest);
+    t.inverseDeterminant = OrZero(proper, one / LargerOf(normal2, smallest));
+    t.doubleArea = OrZero(proper, RootOf(normal2));
     const Real inverseNormal = t.doubleArea * t.inverseDeterminant;
     t.nx = nx * inverseNormal, t.ny = ny * inverseNormal, t.nz = nz * inverseNormal;
-    t.quality = t.doubleArea / Max(Max(t.bb, t.cc), Max(far2, smallest));
+    t.quality = t.doubleArea / LargerOf(LargerOf(t.bb, t.cc), LargerOf(far2, smallest));
     return t;
 }
 inline PreparedTriangle<float> PrepareTriangle(const Vector3& b, const Vector3& c)
