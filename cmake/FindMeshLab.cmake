@@ -110,8 +110,10 @@ set(MeshLab_VERSION_OF_HEADERS "${MeshLab_VERSION}")
 find_path(MeshLab_VCG_INCLUDE_DIR vcg/complex/complex.h NO_CACHE NO_DEFAULT_PATH
     PATHS "${MESHLAB_SOURCE_DIR}/src/vcglib" "${MESHLAB_SOURCE_DIR}/vcglib")
 if(MeshLab_VCG_INCLUDE_DIR AND NOT TARGET MeshLab::VCG)
+    find_package(Eigen3 REQUIRED NO_MODULE)
     add_library(MeshLab::VCG INTERFACE IMPORTED)
     set_target_properties(MeshLab::VCG PROPERTIES
+        INTERFACE_LINK_LIBRARIES Eigen3::Eigen
         INTERFACE_INCLUDE_DIRECTORIES "${MeshLab_VCG_INCLUDE_DIR}")
 endif()
 
