@@ -103,7 +103,6 @@ class GuidedCollapse
         const double regularisation = kTikhonov * edge.trace / 3;
         if (!(regularisation > 0)) return Point(0, 0, 0);
         SymmetricMatrix matrix = edge.a;
-        matrix.AddDiagonal(regularisation);
         matrix.AddOuter(volume.normal, volume.weight);
         return SolveRegularised(matrix, regularisation,
                                 edge.pull + volume.normal * (volume.weight * volume.offset));

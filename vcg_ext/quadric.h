@@ -55,27 +55,47 @@ struct SymmetricMatrix {
     double Form(const vcg::Point3d& x) const { return x.dot(*this * x); }
 };
 
-/// Solves M x = r for a positive semi-definite \p matrix by its LDLᵀ decomposition in closed form.
+/// The decomposition LDLᵀ of a positive definite symmetric matrix, in closed form.
+class Decomposition
+{
+    double d0_, d1_, d2_, l10_, l20_, l21_;
+
+  public:
+    /// \param smallestPivot is what smaller pivots, which only rounding makes, are lifted to; above 0
+    Decomposition(const SymmetricMatrix& matrix, double smallestPivot)
+    {
+        d0_ = std::max(matrix.xx, smallestPivot);
+        l10_ = matrix.xy / d0_;
+        l20_ = matrix.xz / d0_;
+        d1_ = std::max(matrix.yy - l10_ * matrix.xy, smallestPivot);
+        l21_ = (matrix.yz - l20_ * matrix.xy) / d1_;
+        d2_ = std::max(matrix.zz - l20_ * matrix.xz - l21_ * l21_ * d1_, smallestPivot);
+    }
+
+    vcg::Point3d Solve(const vcg::Point3d& r) const
+    {
+        const double y1 = r[1] - l10_ * r[0];
+        const double y2 = r[2] - l20_ * r[0] - l21_ * y1;
+        const double x2 = y2 / d2_;
+        const double x1 = y1 / d1_ - l21_ * x2;
+        return {r[0] / d0_ - l10_ * x1 - l20_ * x2, x1, x2};
+    }
+};
+
+/// Solves M x = r for a positive semi-definite \p matrix as Tikhonov does: x stays at the origin in the
+/// directions that the matrix leaves open, so that no solution runs away.
 ///
-/// The smallest eigenvalue must be \p regularisation or more but for rounding: pivots below half of it are
-/// lifted to that, so that no solution runs away along a direction that nothing determines. That is what
-/// happens to normal equations of planes after AddDiagonal(regularisation).
+/// Where M's eigenvalues are far above \p regularisation the pull to the origin is taken back by one step of
+/// refinement: what is left of it is its square.
 /// \pre regularisation > 0
 inline vcg::Point3d SolveRegularised(const SymmetricMatrix& matrix, double regularisation,
                                      const vcg::Point3d& r)
 {
-    const double smallestPivot = regularisation / 2;
-    const double d0 = std::max(matrix.xx, smallestPivot);
-    const double l10 = matrix.xy / d0;
-    const double l20 = matrix.xz / d0;
-    const double d1 = std::max(matrix.yy - l10 * matrix.xy, smallestPivot);
-    const double l21 = (matrix.yz - l20 * matrix.xy) / d1;
-    const double d2 = std::max(matrix.zz - l20 * matrix.xz - l21 * l21 * d1, smallestPivot);
-    const double y1 = r[1] - l10 * r[0];
-    const double y2 = r[2] - l20 * r[0] - l21 * y1;
-    const double x2 = y2 / d2;
-    const double x1 = y1 / d1 - l21 * x2;
-    return {r[0] / d0 - l10 * x1 - l20 * x2, x1, x2};
+    SymmetricMatrix regular = matrix;
+    regular.AddDiagonal(regularisation);
+    const Decomposition decomposition(regular, regularisation / 2);
+    const vcg::Point3d x = decomposition.Solve(r);
+    return x + decomposition.Solve(r - matrix * x);
 }
 
 /// A sum of weighted squared distances to planes, Q(x) = xᵀ A x + 2 b·x + c (Garland and Heckbert 1997).
