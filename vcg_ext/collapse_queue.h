@@ -53,6 +53,8 @@ class QueuedCollapse
     /// \param now the run's clock \param parameters the run
     QueuedCollapse(const VertexPair& pair, int now, vcg::BaseParameterClass* parameters)
     {
+        this->mt = nullptr; // TriEdgeCollapse leaves its members to chance, and copies of an entry read them
+        this->_priority = 0;
         this->pos = pair;
         this->localMark = now;
         Run& run = *static_cast<Run*>(parameters);
