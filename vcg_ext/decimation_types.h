@@ -24,6 +24,8 @@ struct MeshView {
         nullptr; ///< one byte a vertex, not 0: never moves and stays; may be null
     const float* guidance =
         nullptr; ///< descriptor in [0, 1] a vertex; null: the Laplacian descriptor is computed
+    const std::uint8_t* fauxEdges = nullptr; ///< one byte a face, bit k: the edge from its vertex k to k + 1
+                                             ///< is a polygon's diagonal; may be null
 
     std::array<double, 3> Position(std::size_t vertex) const
     {

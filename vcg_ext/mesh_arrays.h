@@ -24,7 +24,16 @@ class MeshArrays
 {
     std::vector<std::uint32_t> triangles_;
     std::vector<std::uint32_t> faceIndex_; // empty where no face is deleted
+    std::vector<std::uint8_t> fauxEdges_;  // empty where no edge is faux
     MeshView view_;
+
+    /// Of the face last added.
+    void AddFauxEdges(int bits)
+    {
+        if (bits == 0) return;
+        fauxEdges_.resize(triangles_.size() / 3, 0);
+        fauxEdges_.back() = static_cast<std::uint8_t>(bits);
+    }
 
   public:
     explicit MeshArrays(const Mesh& mesh)
@@ -39,13 +48,19 @@ class MeshArrays
             for (int k = 0; k < 3; ++k)
                 triangles_.push_back(static_cast<std::uint32_t>(vcg::tri::Index(mesh, face.cV(k))));
             if (holes) faceIndex_.push_back(static_cast<std::uint32_t>(f));
+            AddFauxEdges(face.IsF(0) | face.IsF(1) << 1 | face.IsF(2) << 2);
         }
-        if (!mesh.vert.empty()) view_.positions = &mesh.vert.front().cP()[0];
+        // P(), as cP() returns a copy in vcglib before 2024.
+        if (!mesh.vert.empty()) view_.positions = &mesh.vert.front().P()[0];
         view_.positionStride = sizeof(typename Mesh::VertexType);
         view_.doublePositions = std::is_same_v<Scalar, double>;
         view_.vertexCount = mesh.vert.size();
         view_.triangles = triangles_.data();
         view_.faceCount = triangles_.size() / 3;
+        if (!fauxEdges_.empty()) {
+            fauxEdges_.resize(view_.faceCount, 0);
+            view_.fauxEdges = fauxEdges_.data();
+        }
     }
     MeshArrays(const MeshArrays&) = delete;
     MeshArrays& operator=(const MeshArrays&) = delete;

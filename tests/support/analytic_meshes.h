@@ -103,15 +103,16 @@ inline IndexedMesh Box(int divisions, double side = 1, bool quads = false)
         for (const int level : {0, divisions})
             for (int i = 0; i < divisions; ++i)
                 for (int j = 0; j < divisions; ++j) {
-                    const auto corner = [&](int a, int b) {
+                    const auto corner = [&](int first, int second) {
                         std::array<int, 3> p{};
-                        p[axis] = level;
-                        p[(axis + 1) % 3] = level == 0 ? b : a; // the lower sides are wound the other way
-                        p[(axis + 2) % 3] = level == 0 ? a : b;
+                        p[axis] = level; // the lower sides are wound the other way
+                        p[(axis + 1) % 3] = level == 0 ? second : first;
+                        p[(axis + 2) % 3] = level == 0 ? first : second;
                         return vertex(p);
                     };
-                    mesh.AddQuad(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1),
-                                 quads);
+                    const std::size_t a = corner(i, j), b = corner(i + 1, j);
+                    const std::size_t c = corner(i + 1, j + 1), d = corner(i, j + 1);
+                    mesh.AddQuad(a, b, c, d, quads);
                 }
     return mesh;
 }

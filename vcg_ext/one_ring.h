@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "buffer.h"
+#include "decimation_types.h"
+#include "parallel.h"
+
+namespace vcg_ext
+{
+
+/// The two other vertices of a face, seen from one of its corners, in the face's order.
+/// A polygon's diagonal is marked faux: its end shares a face with the vertex, but is not its neighbour.
+struct RingCorner {
+    std::uint32_t next : 31;
+    std::uint32_t nextIsFaux : 1;
+    std::uint32_t previous : 31;
+    std::uint32_t previousIsFaux : 1;
+};
+
+/// A part of an array that somebody else owns.
+template <class T>
+struct ArrayView {
+    const T* first;
+    std::size_t count;
+
+    const T* begin() const { return first; }
+    const T* end() const { return first + count; }
+    std::size_t size() const { return count; }
+    const T& operator[](std::size_t i) const { return first[i]; }
+};
+
+/// The corners and the neighbours around every vertex of a triangle mesh, whatever its topology: open,
+/// non-manifold, polygonal, with inconsistent orientation. Faces that name a vertex twice are left out.
+class OneRings
+{
+    std::vector<std::size_t> offset_;
+    Buffer<RingCorner> corners_;
+
+    template <class Visit>
+    static void ForEachCorner(const MeshView& mesh, const std::uint8_t* wanted, std::size_t firstVertex,
+                              std::size_t lastVertex, const Visit& visit);
+    bool IsRegular(ArrayView<RingCorner> corners) const;
+
+  public:
+    /// Two passes over the faces. \pre every index of mesh.triangles is below mesh.vertexCount < 2^31
+    /// \param wanted one byte a vertex, not 0: its corners are listed; null: those of all vertices are
+    explicit OneRings(const MeshView& mesh, int threads = 1, const std::uint8_t* wanted = nullptr);
+
+    std::size_t VertexCount() const { return offset_.size() - 2; }
+
+    /// The corners at \p v, in the order of the faces.
+    ArrayView<RingCorner> Corners(std::size_t v) const
+    {
+        return {corners_.data() + offset_[v], offset_[v + 1] - offset_[v]};
+    }
+
+    /// Every neighbour of \p v once: the ends of the edges at v that are not diagonals.
+    /// \param room is overwritten and holds the result, so that a loop over vertices allocates once
+    ArrayView<std::uint32_t> Neighbours(std::size_t v, std::vector<std::uint32_t>& room) const;
+};
+
+/// Whether a face has a corner less than three; such faces have neither a normal nor neighbours.
+inline bool NamesAVertexTwice(const std::uint32_t* face)
+{
+    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+}
+
+/// One to one, and far from additive, so that sums over different vertices do not meet by accident.
+inline std::uint32_t MixedBits(std::uint32_t v)
+{
+    v *= 0x9E3779B1u;
+    v ^= v >> 15;
+    return v * 0x85EBCA77u;
+}
+
+template <class Visit>
+void OneRings::ForEachCorner(const MeshView& mesh, const std::uint8_t* wanted, std::size_t firstVertex,
+                             std::size_t lastVertex, const Visit& visit)
+{
+    const std::size_t range = lastVertex - firstVertex;
+    for (std::size_t f = 0; f < mesh.faceCount; ++f) {
+        const std::uint32_t* v = mesh.triangles + 3 * f;
+        if (wanted != nullptr && (wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) == 0) continue;
+        if (NamesAVertexTwice(v)) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (v[k] - firstVertex < range && (wanted == nullptr || wanted[v[k]])) visit(f, v[k], k);
+    }
+}
+
+inline OneRings::OneRings(const MeshView& mesh, int threads, const std::uint8_t* wanted)
+    : offset_(mesh.vertexCount + 2, 0)
+{
+    // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and the
+    // corners of a vertex keep the order of the faces. Counts are stored two places on, so that after the
+    // sum offset_[v + 1] is where v begins, and after filling where it ends.
+    threads = ResolveThreads(threads);
+    const std::size_t ranges = static_cast<std::size_t>(threads);
+    const auto bound = [&](std::size_t range) { return mesh.vertexCount * range / ranges; };
+    ParallelFor(threads, ranges, [&](std::size_t range, int) {
+        ForEachCorner(mesh, wanted, bound(range), bound(range + 1),
+                      [&](std::size_t, std::uint32_t v, std::size_t) { ++offset_[v + 2]; });
+    });
+    for (std::size_t v = 2; v < offset_.size(); ++v) offset_[v] += offset_[v - 1];
+    corners_.Allocate(offset_.back());
+    ParallelFor(threads, ranges, [&](std::size_t range, int) {
+        ForEachCorner(
+            mesh, wanted, bound(range), bound(range + 1), [&](std::size_t f, std::uint32_t v, std::size_t k) {
+                const std::size_t next = k == 2 ? 0 : k + 1;
+                const std::size_t previous = k == 0 ? 2 : k - 1;
+                const unsigned faux = mesh.fauxEdges == nullptr ? 0u : mesh.fauxEdges[f];
+                const std::uint32_t* triangle = mesh.triangles + 3 * f;
+                corners_[offset_[v + 1]++] = {triangle[next] & 0x7fffffffu, faux >> k & 1u,
+                                              triangle[previous] & 0x7fffffffu, faux >> previous & 1u};
+            });
+    });
+}
+
+/// Whether the `next` of the corners alone are the neighbours: none is a diagonal, none is there twice, and
+/// each is the `previous` of another corner. True for every vertex inside a triangulated surface; a vertex
+/// may be called irregular by mistake, which costs time only.
+inline bool OneRings::IsRegular(ArrayView<RingCorner> corners) const
+{
+    std::uint32_t balance = 0;
+    std::uint64_t seen = 0;
+    bool repeated = false;
+    for (const RingCorner& corner : corners) {
+        const std::uint32_t mixed = MixedBits(corner.next);
+        const std::uint64_t bit = std::uint64_t{1} << (mixed >> 26);
+        balance += mixed - MixedBits(corner.previous);
+        repeated |= (seen & bit) != 0 || corner.nextIsFaux || corner.previousIsFaux;
+        seen |= bit;
+    }
+    return balance == 0 && !repeated;
+}
+
+inline ArrayView<std::uint32_t> OneRings::Neighbours(std::size_t v, std::vector<std::uint32_t>& room) const
+{
+    const ArrayView<RingCorner> corners = Corners(v);
+    if (room.size() < 2 * corners.size()) room.resize(2 * corners.size());
+    std::uint32_t* last = room.data();
+    if (IsRegular(corners)) {
+        for (const RingCorner& corner : corners) *last++ = corner.next;
+    } else {
+        for (const RingCorner& corner : corners) {
+            if (!corner.nextIsFaux) *last++ = corner.next;
+            if (!corner.previousIsFaux) *last++ = corner.previous;
+        }
+        std::sort(room.data(), last);
+        last = std::unique(room.data(), last);
+    }
+    return {room.data(), static_cast<std::size_t>(last - room.data())};
+}
+
+} // namespace vcg_ext
