@@ -22,6 +22,7 @@
 #include "distance.h"
 #include "edge_counts.h"
 #include "mesh_arrays.h"
+#include "refine_decimated.h"
 #include "strict_decimation.h"
 #include "sweep_decimation.h"
 
@@ -74,12 +75,28 @@ inline void CheckMesh(const MeshView& view)
                                     " vertices with coordinates that are not finite numbers");
 }
 
-/// The collapse (and refinement) of a view by the order asked for.
+/// The strict order of collapses and, unless the effort is Fast, the refinement.
+inline DecimatedMesh DecimateStrictly(const MeshView& view, const DecimationParameters& parameters)
+{
+    constexpr int kCollapsePart = 80; // of the time, roughly
+    const bool refined = parameters.effort != Effort::Fast;
+    DecimationParameters part = parameters;
+    if (refined) part.progress = ProgressPart(parameters.progress, 0, kCollapsePart);
+    StrictDecimation result = DecimateStrict(view, part);
+    if (!refined || result.mesh.stopReason == StopReason::Cancelled) return std::move(result.mesh);
+    part.progress = ProgressPart(parameters.progress, kCollapsePart, 100);
+    if (!RefineDecimated(view, result.mesh, result.root, part))
+        result.mesh.stopReason = StopReason::Cancelled;
+    return std::move(result.mesh);
+}
+
+/// The collapse and refinement of a view by the order asked for. Effort Best measures what every collapse
+/// would change, which only the strict order can do: it is strict whatever the order asked for.
 /// \pre CheckParameters and CheckMesh pass
 inline DecimatedMesh Decimate(const MeshView& view, const DecimationParameters& parameters)
 {
-    return parameters.order == Order::Strict ? DecimateStrict(view, parameters).mesh
-                                             : DecimateSweeps(view, parameters);
+    const bool strict = parameters.order == Order::Strict || parameters.effort == Effort::Best;
+    return strict ? DecimateStrictly(view, parameters) : DecimateSweeps(view, parameters);
 }
 
 /// What there is to say about a result, without the time that it took.

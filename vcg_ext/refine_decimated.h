@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "decimation_types.h"
+#include "descriptor.h"
+#include "refinement.h"
+#include "surface_builder.h"
+
+namespace vcg_ext
+{
+
+/// \p progress with its 0..100 mapped to from..to; empty where it is.
+inline Progress ProgressPart(Progress progress, int from, int to)
+{
+    if (!progress) return {};
+    return [progress = std::move(progress), from, to](int percent, const char* stage) {
+        return progress(from + percent * (to - from) / 100, stage);
+    };
+}
+
+namespace refine_detail
+{
+
+/// Sample weights e^{2 l} with l in [0, 1]: the view's guidance, or the Laplacian descriptor.
+inline std::vector<float> SampleWeights(const MeshView& view, int threads)
+{
+    std::vector<float> weights(view.vertexCount);
+    if (view.guidance != nullptr) {
+        for (std::size_t v = 0; v < weights.size(); ++v) weights[v] = std::exp(2 * view.guidance[v]);
+        return weights;
+    }
+    const auto l = RescaledToUnit(ComputeDescriptor(view, Descriptor::Laplacian, threads));
+    for (std::size_t v = 0; v < weights.size(); ++v) weights[v] = static_cast<float>(std::exp(2 * l[v]));
+    return weights;
+}
+
+/// The result of a collapse as a view of its own. \param fixed holds the flags that the view points to
+inline MeshView ViewOf(const DecimatedMesh& mesh, const MeshView& original, std::vector<std::uint8_t>& fixed)
+{
+    MeshView view;
+    view.positions = mesh.positions.data();
+    view.positionStride = sizeof mesh.positions[0];
+    view.doublePositions = true;
+    view.vertexCount = mesh.positions.size();
+    view.triangles = mesh.triangles.front().data();
+    view.faceCount = mesh.triangles.size();
+    if (original.fixedVertices != nullptr) {
+        for (const std::uint32_t origin : mesh.vertexOrigin) fixed.push_back(original.fixedVertices[origin]);
+        view.fixedVertices = fixed.data();
+    }
+    return view;
+}
+
+} // namespace refine_detail
+
+/// Refines the outcome of any collapse in place; vertices that the refinement leaves alone keep their bits.
+/// \param root the vertex of \p mesh that each vertex of \p original became part of, 0xFFFFFFFF for none
+/// \return false where the parameters' progress asked to stop
+inline bool RefineDecimated(const MeshView& original, DecimatedMesh& mesh,
+                            const std::vector<std::uint32_t>& root, const DecimationParameters& parameters)
+{
+    if (mesh.triangles.empty()) return true;
+    const int threads = ResolveThreads(parameters.threads);
+    const SurfaceFrame frame = FrameOf(original);
+    const auto weights = refine_detail::SampleWeights(original, threads);
+    const SurfaceArrays before = BuildSurfaceArrays(original, frame, weights.data(), threads);
+    std::vector<std::uint8_t> fixed;
+    const MeshView collapsed = refine_detail::ViewOf(mesh, original, fixed);
+    SurfaceArrays after = BuildSurfaceArrays(collapsed, frame, nullptr, threads);
+    Buffer<std::uint32_t> roots(root.size());
+    std::copy(root.begin(), root.end(), roots.begin());
+
+    RefinementParameters refinement;
+    refinement.threads = threads;
+    refinement.progress = parameters.progress;
+    if (Refine(before, after, roots, refinement).cancelled) return false;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        if (after.flags[v] & kMovedVertex) mesh.positions[v] = frame.FromFrame(after.points[v]);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) mesh.triangles[f][k] = after.triangles[f].v[k];
+    return true;
+}
+
+} // namespace vcg_ext
