@@ -11,7 +11,7 @@ from typing import Literal
 from .report import ClassificationReport, DecimationReport, DescriptorReport, SmoothingReport
 from .running import MeshSource, run
 
-Computed = Literal["laplacian", "normalized_umbrella", "mean_curvature", "gaussian_curvature", "curvature_estimation"]
+Computed = Literal["laplacian", "normalised_umbrella", "mean_curvature", "gaussian_curvature", "curvature_estimation"]
 Guidance = Computed | Literal["vertex_quality"]
 WeightedGuidance = Guidance | Literal["curvature_weighted_quadric"]
 
