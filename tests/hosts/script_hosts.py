@@ -38,14 +38,14 @@ def meshlabserver(host: HostProgram, display: str) -> ScriptHost:
     return run
 
 
-def script_runner(host: HostProgram, display: str) -> ScriptHost:
+def script_runner(host: HostProgram, display: str, *options: str) -> ScriptHost:
     """Our own small program on the libraries of a version whose only program is the graphical one."""
     runner = PROJECT / "build" / f"meshlab-{host.version}" / "tests" / "hosts" / "script_runner"
 
     def run(script: Path, mesh: Path, output: Path) -> ScriptRun:
         plugins = [host.prefix / "lib" / host.libraries.name / "meshlab" / "plugins"]
         plugins.append(built_plugin(f"meshlab-{host.version}").parent)
-        command = host.command_of(runner, mesh, script, output, *plugins)
+        command = host.command_of(runner, *options, mesh, script, output, *plugins)
         return _run(command, env=host.environment(display) | {"QT_QPA_PLATFORM": "offscreen"})
 
     return run

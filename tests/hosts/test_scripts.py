@@ -57,3 +57,31 @@ def test_bad_value_is_refused_by_name(filters: list[dict], run_script: ScriptHos
     assert "[0, 100]" in run.output
     if output.exists():
         assert MeshData.read(output).near(MeshData.read(part))
+
+
+def test_mesh_without_faces_is_refused(filter_row: dict, run_script: ScriptHost, tmp_path: Path) -> None:
+    points = tmp_path / "points.ply"
+    properties = "".join(f"property float {axis}\n" for axis in "xyz")
+    header = f"ply\nformat ascii 1.0\nelement vertex 4\n{properties}end_header\n"
+    points.write_text(header + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
+    script = write_script(tmp_path / "script.mlx", (filter_row, values_of(filter_row)))
+    run = run_script(script, points, tmp_path / "output.ply")
+    assert "the mesh has no faces (4 vertices)" in run.output, run.output
+
+
+@pytest.mark.parametrize("version", ["2022.02", "2025.07"])
+def test_cancelled_run_leaves_the_mesh(
+    version: str,
+    filter_row: dict,
+    display: Display,
+    installed_host: Callable[[str], HostProgram],
+    part: Path,
+    tmp_path: Path,
+) -> None:
+    """No host cancels today, but its progress callback may say so, and then nothing must have changed."""
+    script = write_script(tmp_path / "script.mlx", (filter_row, values_of(filter_row)))
+    output = tmp_path / "output.ply"
+    run = script_hosts.script_runner(installed_host(version), display.name, "--cancel")(script, part, output)
+    assert "cancel" in run.output, run.output
+    if run.status == 0:
+        assert MeshData.read(output).near(MeshData.read(part))

@@ -102,6 +102,7 @@ def test_headers_can_be_installed_for_other_programs(tmp_path: Path) -> None:
     subprocess.run(list(map(str, install)), check=True, capture_output=True)
     shutil.copytree(Path(__file__).with_name("header_user"), user)
     settings = [f"-DCMAKE_PREFIX_PATH={prefix}", f"-DVCGLIB_DIR={sources('2025.07') / 'src' / 'vcglib'}"]
-    subprocess.run(["cmake", "-S", user, "-B", user / "build", "-G", "Ninja", *settings], check=True, capture_output=True)
+    generate = ["cmake", "-S", user, "-B", user / "build", "-G", "Ninja", *settings]
+    subprocess.run(generate, check=True, capture_output=True)
     done = subprocess.run(["cmake", "--build", user / "build"], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
