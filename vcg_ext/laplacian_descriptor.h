@@ -71,6 +71,7 @@ struct alignas(16) StarSum {
         const float normalLength = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         const float divisor = normalLength * normalAndLength[3];
         const float height = n[0] * edges[0] + n[1] * edges[1] + n[2] * edges[2];
+        if (!(normalLength > kCancelledNormal * static_cast<float>(faces))) return 0;
         return divisor > 0 ? static_cast<double>(std::fabs(height) / divisor) : 0;
     }
 };

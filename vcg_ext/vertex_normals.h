@@ -20,6 +20,8 @@ namespace vcg_ext
 
 /// Below this sine of a corner the direction of the face's normal is rounding: the face is left out.
 constexpr float kSmallestSine = 1e-6f;
+/// A sum of weighted unit normals shorter than this for each of them is rounding: opposite ones cancel.
+constexpr float kCancelledNormal = 1e-6f;
 /// Squared lengths below it are those of coincident points.
 constexpr float kSmallestLength2 = 1e-36f;
 
@@ -57,7 +59,8 @@ std::array<float, 3> VertexNormal(const EdgeReader<Scalar>& reader, std::size_t 
     }
     std::array<float, 3> n{SumLanes(sum.x), SumLanes(sum.y), SumLanes(sum.z)};
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    for (float& x : n) x = length > 0 ? x / length : 0;
+    const bool cancelled = !(length > kCancelledNormal * static_cast<float>(corners.size()));
+    for (float& x : n) x = cancelled ? 0 : x / length;
     return n;
 }
 
