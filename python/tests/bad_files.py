@@ -64,7 +64,6 @@ def bad_files() -> dict[str, tuple[bytes, str]]:
         "text.stl": (b"hello\n", "Malformed file"),
         "cut.stl": (_binary_stl(2)[:-30], "Malformed file"),
         "unknown.xyzzy": (b"hello\n", "the format '.xyzzy' is unknown"),
-        "crashes_the_reader.vmi": (b"x" * 50, "pymeshlab crashed"),
     }
 
 

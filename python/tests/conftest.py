@@ -20,6 +20,14 @@ def run_command(*arguments: object, cwd: Path | None = None) -> "subprocess.Comp
     return subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=300, check=False)
 
 
+def faces_in(path: Path) -> int:
+    """Faces of a mesh file; the mesh set is held on to, because its mesh goes with it."""
+    import laplacian_simplify as ls
+
+    mesh_set = ls.read_mesh(path)
+    return mesh_set.current_mesh().face_number()
+
+
 def positions_and_faces(mesh_set) -> tuple[np.ndarray, np.ndarray]:
     mesh = mesh_set.current_mesh()
     return mesh.vertex_matrix(), mesh.face_matrix()

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 import pytest
-from conftest import SAMPLE_MESHES, SAMPLE_NAMES, run_command
+from conftest import SAMPLE_MESHES, SAMPLE_NAMES, faces_in, run_command
 from test_tables import FUNCTIONS
 
 import laplacian_simplify as ls
@@ -51,7 +51,7 @@ def test_every_command(command, tmp_path) -> None:
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     assert len(done.stdout.splitlines()) >= 2
-    assert ls.read_mesh(tmp_path / "out.ply").current_mesh().face_number() > 0
+    assert faces_in(tmp_path / "out.ply") > 0
 
 
 def test_a_path_is_left_as_it_is() -> None:
@@ -104,8 +104,9 @@ def test_refinement_only_adds() -> None:
 
 
 def test_normal_dependent_smoothing_moves_along_normals_only() -> None:
-    before = ls.read_mesh(SAMPLE_MESHES / "flange.ply").current_mesh().vertex_matrix()
-    report = ls.smooth(SAMPLE_MESHES / "flange.ply", operator="normal_dependent", steps=3)
+    mesh_set = ls.read_mesh(SAMPLE_MESHES / "flange.ply")
+    before = mesh_set.current_mesh().vertex_matrix().copy()
+    report = ls.smooth(mesh_set, operator="normal_dependent", steps=3)
     after = report.mesh_set.current_mesh().vertex_matrix()
     moved = np.linalg.norm(after - before, axis=1)
     radii = np.hypot(before[:, 0], before[:, 1])

@@ -41,9 +41,10 @@ def test_non_manifold_sample() -> None:
 
 
 def test_quads_and_texture_coordinates() -> None:
-    quads = ls.read_mesh(SAMPLE_MESHES / "bracket_quads.ply").current_mesh().polygonal_face_list()
-    assert {len(face) for face in quads} == {4}
-    assert ls.read_mesh(SAMPLE_MESHES / "painted_box.obj").current_mesh().has_wedge_tex_coord()
+    bracket = ls.read_mesh(SAMPLE_MESHES / "bracket_quads.ply")
+    assert {len(face) for face in bracket.current_mesh().polygonal_face_list()} == {4}
+    box = ls.read_mesh(SAMPLE_MESHES / "painted_box.obj")
+    assert box.current_mesh().has_wedge_tex_coord()
 
 
 def test_the_generator_writes_the_same_bytes(tmp_path: Path) -> None:
