@@ -11,6 +11,7 @@
 
 #include "decimation_types.h"
 #include "parallel.h"
+#include "refinement.h"
 #include "surface_arrays.h"
 #include "surface_builder.h"
 #include "sweep_load.h"
@@ -39,7 +40,6 @@ class SweepDecimation
     SurfaceArrays original_;
     SurfaceArrays simplified_;
     Buffer<std::uint32_t> root_, vertexOrigin_, faceOrigin_;
-    Buffer<SurfacePoint> inputPlace_; ///< simplified points before a refinement, to know who moved since
     Buffer<std::uint8_t> moved_;
     StopReason stopReason_ = StopReason::Target;
 
@@ -214,7 +214,8 @@ class SweepDecimation
 
     std::array<double, 3> InputPosition(std::uint32_t v) const
     {
-        if (moved_[v] == 0) return view_.Position(vertexOrigin_[v]);
+        if (moved_[v] == 0 && (simplified_.flags[v] & kMovedVertex) == 0)
+            return view_.Position(vertexOrigin_[v]);
         const SurfacePoint& p = simplified_.points[v];
         return {p.x * state_.unit + state_.centre[0], p.y * state_.unit + state_.centre[1],
                 p.z * state_.unit + state_.centre[2]};
@@ -238,13 +239,26 @@ class SweepDecimation
     }
 };
 
-/// Collapses \p view to the target and returns what is left; the effort is not looked at.
+/// Collapses \p view to the target and, unless the effort is Fast, refines what is left.
+/// \pre as SweepDecimation
 inline DecimatedMesh DecimateSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
-    SweepDecimation run(view, parameters);
-    run.Collapse(parameters.targetFaces);
+    constexpr int kCollapsePart = 55; // of the time, roughly
+    const bool refined = parameters.effort != Effort::Fast;
+    DecimationParameters collapse = parameters;
+    if (refined) collapse.progress = ProgressPart(parameters.progress, 0, kCollapsePart);
+    SweepDecimation run(view, collapse, refined);
+    const StopReason reason = run.Collapse(parameters.targetFaces);
     run.Extract();
-    return run.Result();
+    if (!refined || reason == StopReason::Cancelled) return run.Result();
+
+    RefinementParameters refinement;
+    refinement.threads = parameters.threads;
+    refinement.progress = ProgressPart(parameters.progress, kCollapsePart, 100);
+    const bool cancelled = Refine(run.Original(), run.Simplified(), run.Root(), refinement).cancelled;
+    DecimatedMesh mesh = run.Result();
+    if (cancelled) mesh.stopReason = StopReason::Cancelled;
+    return mesh;
 }
 
 } // namespace vcg_ext

@@ -167,7 +167,8 @@ class SweepRunner
         CountDied();
     }
 
-    /// What no block could treat, and near the target everything that the quotas' rounding left.
+    /// What no block could treat, and near the target everything that the rounding of quotas left; so too
+    /// where the sweep has to prove that nothing is legal.
     void SweepRest(const SweepStep& step, std::size_t target)
     {
         const VertexRange all{0, state_.VertexCount()};
@@ -179,7 +180,7 @@ class SweepRunner
         for (const auto& list : putOffShifted_)
             for (const std::uint32_t v : list) visit(v);
         const std::size_t few = std::max<std::size_t>(8, target / 200);
-        if (before - visitor.Died() <= target + few)
+        if (step.everything || before - visitor.Died() <= target + few)
             for (std::uint32_t v = 0; v < all.end && before - visitor.Died() > target; ++v) visit(v);
         state_.aliveFaces = before - visitor.Died();
     }

@@ -45,32 +45,44 @@ class SweepSchedule
         const std::size_t start = state_.aliveFaces;
         SweepStep step;
         if (start > target) step.threshold = FirstThreshold(target);
-        bool keysAreFresh = true;
         while (state_.aliveFaces > target) {
             const auto way =
                 static_cast<double>(start - state_.aliveFaces) / static_cast<double>(start - target);
             if (!report(way)) return StopReason::Cancelled;
             const std::size_t died = runner_.Sweep(step, target);
-            if (died > 0) {
-                step.threshold = NextThreshold(step.threshold, died, target);
-                step.anyPlacement = false;
-                keysAreFresh = false;
-            } else if (!keysAreFresh) {
-                ForgetKeys(); // a collapse may have made another one cheaper or legal
-                keysAreFresh = true;
-            } else if (const float lowest = LowestKey(); lowest < kRefusedKey) {
-                step.threshold = std::max(lowest, step.RetryKey());
-            } else if (!step.anyPlacement) {
-                step = {kRefusedKey, true};
-                ForgetKeys();
-            } else {
+            if (died > 0)
+                step = NextStep(step, died, target);
+            else if (!NextIdleStep(step))
                 return StopReason::NoLegalCollapse;
-            }
         }
         return StopReason::Target;
     }
 
   private:
+    SweepStep NextStep(const SweepStep& step, std::size_t died, std::size_t target)
+    {
+        if (!step.anyPlacement) return {NextThreshold(step.threshold, died, target), false, false};
+        ForgetKeys(); // the knot is cut: cheap collapses may have become legal
+        return {FirstThreshold(target), false, false};
+    }
+
+    /// What to do after a sweep without a collapse: first look at everything again, as a collapse may have
+    /// made another one cheaper or legal; then raise the threshold, to the lowest cost at least; at last try
+    /// other placements. \return false if all that was tried
+    bool NextIdleStep(SweepStep& step)
+    {
+        if (step.everything) {
+            const float lowest = LowestKey();
+            const bool refused = lowest > kHighestThreshold;
+            if (refused && step.anyPlacement) return false;
+            if (refused) step.anyPlacement = true;
+            step.threshold = std::min(std::max(lowest, step.threshold * kRatio), kHighestThreshold);
+        }
+        step.everything = true;
+        ForgetKeys();
+        return true;
+    }
+
     /// The quantile of the vertices' lowest costs, from an even sample, that leaves the target for later
     /// sweeps to reach.
     float FirstThreshold(std::size_t target) const
@@ -88,10 +100,10 @@ class SweepSchedule
         }
         if (lowest.empty()) return kLowestThreshold;
         const double part = 1 - static_cast<double>(target) / static_cast<double>(state_.aliveFaces);
-        const double quantile = std::min(kHighestStart, part);
+        const double quantile = std::clamp(part, 0.0, kHighestStart);
         const auto place = static_cast<std::ptrdiff_t>(quantile * static_cast<double>(lowest.size() - 1));
         std::nth_element(lowest.begin(), lowest.begin() + place, lowest.end());
-        return std::clamp(lowest[static_cast<std::size_t>(place)], kLowestThreshold, kRefusedKey);
+        return std::clamp(lowest[static_cast<std::size_t>(place)], kLowestThreshold, kHighestThreshold);
     }
 
     float NextThreshold(float threshold, std::size_t died, std::size_t target) const
@@ -101,7 +113,7 @@ class SweepSchedule
         float ratio = need < kNear ? kNearRatio : need < kMiddle ? kMiddleRatio : kRatio;
         if (static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces))
             ratio = std::max(ratio, kSlowRatio);
-        return std::min(threshold * ratio, kRefusedKey);
+        return std::min(threshold * ratio, kHighestThreshold);
     }
 
     void ForgetKeys()

@@ -81,6 +81,8 @@ enum SweepFlag : std::uint8_t {
 constexpr float kNoKey = FLT_MAX;
 /// Key of a vertex whose every collapse was refused when it was looked at.
 constexpr float kRefusedKey = 1e38f;
+/// No threshold is higher: what is refused stays out of reach.
+constexpr float kHighestThreshold = 5e37f;
 
 constexpr int NextIndex(int index)
 {

@@ -16,6 +16,7 @@ namespace vcg_ext::sweeps
 /// What a sweep allows.
 struct SweepStep {
     float threshold = 0;       ///< collapses of at most this cost
+    bool everything = false;   ///< all keys are fresh: what is illegal now stays so until something collapses
     bool anyPlacement = false; ///< where the best placement turns a face, the ends and the midpoint are tried
 
     /// Key of what should be looked at in the next sweep again.
@@ -91,7 +92,8 @@ class VertexVisitor
         std::uint32_t best = neighbours.size;
         float cheapest = threshold;
         for (std::uint32_t i = 0; i < neighbours.size; ++i) {
-            if (neighbours.cost[i] > cheapest || state_.Has(neighbours.vertex[i], kMergedVertex)) continue;
+            if (!(neighbours.cost[i] <= cheapest) || state_.Has(neighbours.vertex[i], kMergedVertex))
+                continue;
             cheapest = neighbours.cost[i];
             best = i;
         }
@@ -108,7 +110,7 @@ class VertexVisitor
         if (attempt.outside) return attempt;
         attempt.cost = neighbours.cost[neighbour];
         if (!CollapseGuard(state_, star, removed, survivor).Allows()) {
-            attempt.cost = std::max(attempt.cost, step.RetryKey());
+            attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
             return attempt;
         }
         attempt.placement = {neighbours.x[neighbour], neighbours.y[neighbour], neighbours.z[neighbour]};
