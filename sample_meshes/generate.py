@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+
 from mesh_files import Mesh, TexturedMesh, write_obj, write_ply
 
 
@@ -263,7 +264,9 @@ def vertex_normals(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 def checkered_texture() -> np.ndarray:
     """Three by two fields of one colour each, checkered."""
-    colours = np.array([(230, 90, 60), (70, 150, 220), (240, 190, 60), (90, 180, 100), (150, 100, 190), (230, 230, 230)])
+    upper = [(230, 90, 60), (70, 150, 220), (240, 190, 60)]
+    lower = [(90, 180, 100), (150, 100, 190), (230, 230, 230)]
+    colours = np.array(upper + lower)
     row, column = np.meshgrid(np.arange(64), np.arange(96), indexing="ij")
     field = 3 * (1 - row // 32) + column // 32
     dark = ((row // 4 + column // 4) % 2)[..., None]
