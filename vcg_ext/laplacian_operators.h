@@ -21,7 +21,7 @@
 namespace vcg_ext
 {
 
-using Vector3 = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
 /// How the edges around a vertex are averaged to the Laplacian delta. Rows of kUmbrellaOperators.
 enum class UmbrellaOperator { Uniform, ScaleDependent, NormalDependent };
@@ -64,34 +64,35 @@ struct SmoothingParameters {
 namespace operator_detail
 {
 
-inline Vector3 Difference(const Vector3& a, const Vector3& b)
+inline Coordinates Difference(const Coordinates& a, const Coordinates& b)
 {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline double Dot(const Vector3& a, const Vector3& b)
+inline double Dot(const Coordinates& a, const Coordinates& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline void AddScaled(Vector3& sum, double scale, const Vector3& a)
+inline void AddScaled(Coordinates& sum, double scale, const Coordinates& a)
 {
     for (std::size_t k = 0; k < 3; ++k) sum[k] += scale * a[k];
 }
 /// The unit vector, or zero.
-inline Vector3 Normalized(const Vector3& a)
+inline Coordinates Normalized(const Coordinates& a)
 {
     const double length = std::sqrt(Dot(a, a));
-    return length > 0 ? Vector3{a[0] / length, a[1] / length, a[2] / length} : Vector3{};
+    return length > 0 ? Coordinates{a[0] / length, a[1] / length, a[2] / length} : Coordinates{};
 }
 
 /// As VertexNormal, in double: faces weigh the chord of their angle.
-inline Vector3 UnitNormal(const std::vector<Vector3>& positions, std::size_t v, ArrayView<RingCorner> corners)
+inline Coordinates UnitNormal(const std::vector<Coordinates>& positions, std::size_t v,
+                              ArrayView<RingCorner> corners)
 {
-    Vector3 sum{};
+    Coordinates sum{};
     double chords = 0;
     for (const RingCorner& corner : corners) {
-        const Vector3 a = Normalized(Difference(positions[corner.next], positions[v]));
-        const Vector3 b = Normalized(Difference(positions[corner.previous], positions[v]));
-        const Vector3 chord = Difference(a, b);
+        const Coordinates a = Normalized(Difference(positions[corner.next], positions[v]));
+        const Coordinates b = Normalized(Difference(positions[corner.previous], positions[v]));
+        const Coordinates chord = Difference(a, b);
         const double weight = std::sqrt(Dot(chord, chord));
         AddScaled(
             sum, weight,
@@ -99,7 +100,7 @@ inline Vector3 UnitNormal(const std::vector<Vector3>& positions, std::size_t v, 
         chords += weight;
     }
     constexpr double kCancelled = 1e-12; // opposite normals leave rounding
-    return Dot(sum, sum) > kCancelled * kCancelled * chords * chords ? Normalized(sum) : Vector3{};
+    return Dot(sum, sum) > kCancelled * kCancelled * chords * chords ? Normalized(sum) : Coordinates{};
 }
 
 /// The ends of the edges with one face at a vertex.
@@ -155,13 +156,14 @@ class UmbrellaRings
     }
 
     /// delta of Eq. 1 with the weights of Eq. 2, or of Eq. 3; zero where the vertex has no neighbours.
-    Vector3 Delta(const std::vector<Vector3>& positions, std::size_t v, UmbrellaOperator umbrella) const
+    Coordinates Delta(const std::vector<Coordinates>& positions, std::size_t v,
+                      UmbrellaOperator umbrella) const
     {
         using namespace operator_detail;
-        Vector3 sum{};
+        Coordinates sum{};
         double weights = 0;
         for (const std::uint32_t w : Neighbours(v)) {
-            const Vector3 edge = Difference(positions[w], positions[v]);
+            const Coordinates edge = Difference(positions[w], positions[v]);
             const double length = std::sqrt(Dot(edge, edge));
             if (!(length > 0)) continue;
             const double weight = umbrella == UmbrellaOperator::ScaleDependent ? 1 / length : 1;
@@ -169,11 +171,11 @@ class UmbrellaRings
             weights += weight;
         }
         if (!(weights > 0)) return {};
-        Vector3 delta{};
+        Coordinates delta{};
         AddScaled(delta, 1 / weights, sum);
         if (umbrella != UmbrellaOperator::NormalDependent) return delta;
-        const Vector3 normal = UnitNormal(positions, v, rings_.Corners(v));
-        Vector3 along{};
+        const Coordinates normal = UnitNormal(positions, v, rings_.Corners(v));
+        Coordinates along{};
         AddScaled(along, Dot(delta, normal), normal);
         return along;
     }
@@ -182,8 +184,8 @@ class UmbrellaRings
 /// Positions after smoothing; those of vertices without faces, outside the mask or on a fixed border are the
 /// input's. Empty where the progress callback stopped the run.
 /// \pre as OneRings \throws std::invalid_argument where a parameter is outside its range
-inline std::optional<std::vector<Vector3>> SmoothedPositions(const MeshView& mesh,
-                                                             const SmoothingParameters& parameters)
+inline std::optional<std::vector<Coordinates>> SmoothedPositions(const MeshView& mesh,
+                                                                 const SmoothingParameters& parameters)
 {
     if (parameters.steps < 1 || parameters.steps > 10000)
         throw std::invalid_argument("steps = " + std::to_string(parameters.steps) + " is outside [1, 10000]");
@@ -191,7 +193,7 @@ inline std::optional<std::vector<Vector3>> SmoothedPositions(const MeshView& mes
         throw std::invalid_argument("step_size = " + std::to_string(parameters.stepSize) +
                                     " is outside (0, 1]");
     const UmbrellaRings rings(mesh, parameters.boundary, parameters.movable);
-    std::vector<Vector3> now(mesh.vertexCount), next(mesh.vertexCount);
+    std::vector<Coordinates> now(mesh.vertexCount), next(mesh.vertexCount);
     for (std::size_t v = 0; v < mesh.vertexCount; ++v) now[v] = mesh.Position(v);
     const int threads = ResolveThreads(parameters.threads);
     for (int step = 0; step < parameters.steps; ++step) {
@@ -221,7 +223,7 @@ bool UmbrellaSmooth(Mesh& mesh, const SmoothingParameters& parameters)
     if (!positions) return false;
     for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
         if (mesh.vert[v].IsD()) continue;
-        const Vector3& p = (*positions)[v];
+        const Coordinates& p = (*positions)[v];
         mesh.vert[v].P() = typename Mesh::CoordType(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]),
                                                     static_cast<Scalar>(p[2]));
     }

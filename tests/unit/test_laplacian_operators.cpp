@@ -22,24 +22,24 @@ namespace
 const std::vector<UmbrellaOperator> kAll{UmbrellaOperator::Uniform, UmbrellaOperator::ScaleDependent,
                                          UmbrellaOperator::NormalDependent};
 
-double Distance(const Vector3& a, const Vector3& b)
+double Distance(const Coordinates& a, const Coordinates& b)
 {
     return std::hypot(a[0] - b[0], std::hypot(a[1] - b[1], a[2] - b[2]));
 }
 
-Vector3 DeltaAt(const IndexedMesh& mesh, std::size_t v, UmbrellaOperator umbrella)
+Coordinates DeltaAt(const IndexedMesh& mesh, std::size_t v, UmbrellaOperator umbrella)
 {
     MeshView view = View(mesh);
     if (!mesh.fauxEdges.empty()) view.fauxEdges = mesh.fauxEdges.data();
     return UmbrellaRings(view, SmoothingBoundary::Free).Delta(mesh.points, v, umbrella);
 }
 
-std::vector<Vector3> Smoothed(const IndexedMesh& mesh, const SmoothingParameters& parameters)
+std::vector<Coordinates> Smoothed(const IndexedMesh& mesh, const SmoothingParameters& parameters)
 {
     return SmoothedPositions(View(mesh), parameters).value();
 }
 
-double LargestMovement(const std::vector<Vector3>& before, const std::vector<Vector3>& after)
+double LargestMovement(const std::vector<Coordinates>& before, const std::vector<Coordinates>& after)
 {
     double largest = 0;
     for (std::size_t v = 0; v < before.size(); ++v)
@@ -57,7 +57,7 @@ IndexedMesh UnevenBox()
 }
 
 /// Over the vertices inside the straight edges of a box: how far they went, and how far along their edge.
-std::pair<double, double> MovementOfSharpEdges(const IndexedMesh& box, const std::vector<Vector3>& after)
+std::pair<double, double> MovementOfSharpEdges(const IndexedMesh& box, const std::vector<Coordinates>& after)
 {
     double whole = 0, along = 0;
     for (std::size_t v = 0; v < box.points.size(); ++v) {
@@ -108,7 +108,7 @@ void TestLaplacianOperators::uniformPointsToTheCentroid()
     mesh.points[0] = {.25, -.5, 2};
     QVERIFY(Distance(DeltaAt(mesh, 0, UmbrellaOperator::Uniform), {-.25, .5, -2}) < 1e-15);
     // a base vertex has three neighbours, two of them by border edges
-    const Vector3 delta = DeltaAt(mesh, 1, UmbrellaOperator::Uniform);
+    const Coordinates delta = DeltaAt(mesh, 1, UmbrellaOperator::Uniform);
     QVERIFY(Distance(delta, {(.25 + 0 + 0) / 3 - 1, (-.5 + 1 - 1) / 3, 2. / 3}) < 1e-15);
 }
 
@@ -134,8 +134,8 @@ void TestLaplacianOperators::normalDependentIsTheProjection()
         QVERIFY(std::fabs(Distance(DeltaAt(regular, 0, umbrella), {0, 0, 0}) - .5) < 1e-14);
     const IndexedMesh noisy = Noisy(Icosphere(1), .1);
     for (std::size_t v = 0; v < noisy.points.size(); ++v) {
-        const Vector3 full = DeltaAt(noisy, v, UmbrellaOperator::Uniform);
-        const Vector3 along = DeltaAt(noisy, v, UmbrellaOperator::NormalDependent);
+        const Coordinates full = DeltaAt(noisy, v, UmbrellaOperator::Uniform);
+        const Coordinates along = DeltaAt(noisy, v, UmbrellaOperator::NormalDependent);
         const double product = full[0] * along[0] + full[1] * along[1] + full[2] * along[2];
         const double squared = along[0] * along[0] + along[1] * along[1] + along[2] * along[2];
         QVERIFY(std::fabs(product - squared) < 1e-15); // what was taken away is perpendicular
@@ -238,7 +238,7 @@ void TestLaplacianOperators::sphereShrinksByTheClosedForm()
     parameters.stepSize = 1;
     for (const UmbrellaOperator umbrella : kAll) {
         parameters.umbrella = umbrella;
-        for (const Vector3& p : Smoothed(Icosphere(0), parameters)) {
+        for (const Coordinates& p : Smoothed(Icosphere(0), parameters)) {
             const double radius = Distance(p, {0, 0, 0}) / Distance(Icosphere(0).points[0], {0, 0, 0});
             QVERIFY(std::fabs(radius - std::pow(5, -1.5)) < 1e-14);
         }
