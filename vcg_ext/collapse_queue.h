@@ -23,7 +23,7 @@ namespace vcg_ext
 struct CollapseAssessment {
     double cost;
     vcg::Point3d placement; ///< in the method's own frame
-    bool isFinal;           ///< false: a lower bound that already exceeds what was affordable
+    bool isFinal;           ///< false: a lower bound; only where it exceeds what was affordable
 };
 
 template <class Mesh, class Method>
@@ -79,8 +79,13 @@ class QueuedCollapse
         Run& run = *static_cast<Run*>(parameters);
         VertexType& removed = *this->pos.V(0);
         VertexType& kept = *this->pos.V(1);
-        if (!isFinal_ || run.HasChangedSince(removed, kept, this->localMark)) {
-            const auto assessment = run.method().Assess(removed, kept, run.AffordableCost());
+        const bool changed = run.HasChangedSince(removed, kept, this->localMark);
+        if (!isFinal_ || changed) {
+            // Asked again in the same surroundings it has to answer in full, or two entries of equal priority
+            // could send each other back for ever.
+            const double affordable = isAssessed_ && !changed ? DBL_MAX : run.AffordableCost();
+            const auto assessment = run.method().Assess(removed, kept, affordable);
+            isAssessed_ = true;
             if (!assessment) {
                 run.Refuse(removed, kept);
                 return false;
@@ -127,6 +132,7 @@ class QueuedCollapse
   private:
     float priority_;
     vcg::Point3d placement_{0, 0, 0};
+    bool isAssessed_ = false; ///< at least a lower bound has been asked for
     bool isFinal_ = false;
 };
 

@@ -143,6 +143,8 @@ class GuidedStars
     const CollapseFrame& frame() const { return frame_; }
     const GuidedVertex& vertex(std::size_t v) const { return vertices_[v]; }
 
+    double DoubleArea(const FaceType& face) const { return NormalOf(&face).doubleArea; }
+
     /// Sets l, w = e^{lambda l} and multiplies A by w. \param descriptor one a vertex, empty: 0
     void Weigh(const std::vector<double>& descriptor, double lambda)
     {
@@ -169,7 +171,8 @@ class GuidedStars
             moments.offset += face.normal.dot(next);
             moments.area += face.doubleArea;
             if (!shared)
-                faces.push_back({next, PositionOf(corner.V2()) - origin, face.normal, face.doubleArea});
+                faces.push_back({next, PositionOf(corner.V2()) - origin, face.normal, face.doubleArea,
+                                 static_cast<std::uint32_t>(vcg::tri::Index(mesh_, corner.f))});
         };
         for (Corner corner(&removed); !corner.End(); ++corner) Add(corner, &kept, true);
         for (Corner corner(&kept); !corner.End(); ++corner) Add(corner, &removed, false);

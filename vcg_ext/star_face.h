@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct StarFace {
     vcg::Point3d next, previous; ///< the other corners
     vcg::Point3d normal;         ///< before the collapse, 2 area long
     double doubleArea;
+    std::uint32_t face; ///< its index in the mesh
 };
 
 /// Smallest cosine between a face's normal before and after one collapse: 78 degrees.

@@ -12,6 +12,7 @@
 #include "decimation_types.h"
 #include "guided_collapse.h"
 #include "laplacian_descriptor.h"
+#include "measured_collapse.h"
 #include "strict_mesh.h"
 
 namespace vcg_ext
@@ -48,9 +49,22 @@ inline void SetDescriptor(const MeshView& view, GuidedParameters& parameters)
     parameters.descriptorScale = scale;
 }
 
+template <class Method>
+StrictDecimation Run(const MeshView& view, StrictMesh& mesh, const std::vector<std::uint32_t>& faceOrigin,
+                     GuidedParameters guided, const DecimationParameters& parameters)
+{
+    Method method(mesh, std::move(guided));
+    CollapseRun<StrictMesh, Method> run(mesh, method);
+    const StopReason reason = run.Decimate(parameters.targetFaces, parameters.progress);
+    StrictDecimation result = Collect(view, mesh, faceOrigin, method);
+    result.mesh.stopReason = reason;
+    return result;
+}
+
 } // namespace strict_detail
 
-/// Decimates by the guided collapse in strict order of cost, run by vcg::LocalOptimization on one thread.
+/// Decimates by the guided collapse in strict order of its cost, or of measured error where the effort is
+/// Best, run by vcg::LocalOptimization on one thread.
 ///
 /// The result never has a non-manifold edge or vertex, a duplicate or a degenerate face that the input did
 /// not have, and no collapse turns a face by more than 78 degrees. A vertex that never moved is returned with
@@ -68,12 +82,11 @@ inline StrictDecimation DecimateStrict(const MeshView& view, const DecimationPar
     guided.fixedVertices = strict_detail::FixedVertices(view, mesh, parameters.boundary);
     if (view.vertexCount > 0) strict_detail::SetDescriptor(view, guided);
 
-    GuidedCollapse<StrictMesh> method(mesh, std::move(guided));
-    CollapseRun<StrictMesh, GuidedCollapse<StrictMesh>> run(mesh, method);
-    const StopReason reason = run.Decimate(parameters.targetFaces, parameters.progress);
-    StrictDecimation result = strict_detail::Collect(view, mesh, faceOrigin, method);
-    result.mesh.stopReason = reason;
-    return result;
+    return parameters.effort == Effort::Best
+               ? strict_detail::Run<MeasuredCollapse<StrictMesh>>(view, mesh, faceOrigin, std::move(guided),
+                                                                  parameters)
+               : strict_detail::Run<GuidedCollapse<StrictMesh>>(view, mesh, faceOrigin, std::move(guided),
+                                                                parameters);
 }
 
 } // namespace vcg_ext

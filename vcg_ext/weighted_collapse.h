@@ -97,7 +97,8 @@ class WeightedCollapse
             if (corner.V1() == &other || corner.V2() == &other) continue;
             const Point next = PositionOf(corner.V1()) - origin, previous = PositionOf(corner.V2()) - origin;
             const Point normal = (next - p) ^ (previous - p);
-            edge_.stayingFaces.push_back({next, previous, normal, normal.Norm()});
+            edge_.stayingFaces.push_back({next, previous, normal, normal.Norm(),
+                                          static_cast<std::uint32_t>(vcg::tri::Index(mesh_, corner.F()))});
         }
     }
 
