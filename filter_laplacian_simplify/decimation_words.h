@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parameters.h"
+#include "number_text.h"
 #include "results.h"
 #include "vcg_ext/decimation.h"
 

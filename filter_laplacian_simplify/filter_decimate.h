@@ -68,9 +68,50 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
     return report;
 }
 
-/// What the guided filter asks of the collapse, without target and progress.
-template <class Mesh>
-vcg_ext::MeshDecimationParameters GuidedParameters(const Mesh& mesh, const Values& values)
+/// Puts a result into the current mesh, or into a copy of it in a new layer.
+template <class Host>
+void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer)
+{
+    if (newLayer) {
+        RenumberForCompactCopy(host.Mesh(), result);
+        host.ContinueOnCopy();
+    }
+    vcg_ext::ApplyDecimation(host.Mesh(), result);
+    host.GeometryChanged();
+}
+
+/// What every decimation filter does around its collapse: target, progress, result, report and log.
+/// \param collapse called with the faces to keep and the progress, returns a vcg_ext::Decimation; not called
+///        where the mesh has no more faces than that
+template <class Host, class Collapse>
+Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, bool newLayer,
+                           const Collapse& collapse)
+{
+    const Stopwatch stopwatch;
+    const MeshFacts facts = FactsOf(host.Mesh());
+    const std::size_t target = TargetFaces(values, facts);
+    vcg_ext::DecimationReport report;
+    if (target >= facts.faces) {
+        report = ReportUnchanged(host.Mesh(), measureError);
+        if (newLayer) host.ContinueOnCopy();
+    } else {
+        CalmProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
+        vcg_ext::Decimation decimation = collapse(target, vcg_ext::Progress(std::ref(progress)));
+        report = decimation.report;
+        if (report.stopReason == vcg_ext::StopReason::Cancelled)
+            report.faces = facts.faces;
+        else
+            Commit(host, std::move(decimation.mesh), newLayer);
+    }
+    report.vertices = static_cast<std::size_t>(host.Mesh().vn); // with those that are on no face
+    report.seconds = stopwatch.Seconds();
+    for (const std::string& line : WordsOf(report, target)) host.Log(line);
+    return NumbersOf(report);
+}
+
+/// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".
+template <class Host>
+Report ApplyGuidedDecimation(Host& host, const Values& values)
 {
     vcg_ext::MeshDecimationParameters parameters;
     parameters.featureWeight = values.Real("feature_weight");
@@ -81,46 +122,15 @@ vcg_ext::MeshDecimationParameters GuidedParameters(const Mesh& mesh, const Value
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
     parameters.measureError = values.Boolean("measure_error");
-    parameters.guidance = Guidance(mesh, values.Integer("descriptor"), parameters.threads);
-    return parameters;
-}
-
-/// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".
-template <class Host>
-Report ApplyGuidedDecimation(Host& host, const Values& values)
-{
-    using Mesh = typename Host::MeshType;
-    const Stopwatch stopwatch;
-    const bool newLayer = values.Boolean("new_layer");
-    const MeshFacts facts = FactsOf(host.Mesh());
-    const std::size_t target = TargetFaces(values, facts);
-    vcg_ext::DecimationReport report;
-    if (target >= facts.faces) {
-        report = ReportUnchanged<Mesh>(host.Mesh(), values.Boolean("measure_error"));
-        if (newLayer) host.ContinueOnCopy();
-    } else {
-        CalmProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
-        auto parameters = GuidedParameters<Mesh>(host.Mesh(), values);
-        parameters.targetFaces = target;
-        parameters.progress = std::ref(progress);
-        auto decimation = vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
-        report = decimation.report;
-        if (report.stopReason == vcg_ext::StopReason::Cancelled) {
-            report.faces = facts.faces;
-            report.vertices = static_cast<std::size_t>(host.Mesh().vn);
-        } else {
-            if (newLayer) {
-                RenumberForCompactCopy(host.Mesh(), decimation.mesh);
-                host.ContinueOnCopy();
-            }
-            vcg_ext::ApplyDecimation(host.Mesh(), decimation.mesh);
-            host.GeometryChanged();
-            report.vertices = static_cast<std::size_t>(host.Mesh().vn); // with those that are on no face
-        }
-    }
-    report.seconds = stopwatch.Seconds();
-    for (const std::string& line : WordsOf(report, target)) host.Log(line);
-    return NumbersOf(report);
+    return DecimateCurrentMesh(host, values, parameters.measureError, values.Boolean("new_layer"),
+                               [&](std::size_t target, vcg_ext::Progress progress) {
+                                   using Mesh = typename Host::MeshType;
+                                   parameters.targetFaces = target;
+                                   parameters.progress = std::move(progress);
+                                   parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"),
+                                                                  parameters.threads);
+                                   return vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
+                               });
 }
 
 } // namespace laplacian_simplify

@@ -12,6 +12,7 @@
 #include <vcg/complex/complex.h>
 
 #include "host.h"
+#include "number_text.h"
 #include "progress.h"
 #include "results.h"
 #include "stopwatch.h"

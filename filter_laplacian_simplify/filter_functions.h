@@ -8,6 +8,7 @@
 #include "filter_descriptor.h"
 #include "filter_decimate.h"
 #include "filter_smooth.h"
+#include "filter_weighted.h"
 #include "filters.h"
 #include "host.h"
 #include "results.h"
@@ -30,6 +31,8 @@ Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
         return ApplyFeatureSelection(host, values);
     case FilterId::GuidedDecimation:
         return ApplyGuidedDecimation(host, values);
+    case FilterId::WeightedDecimation:
+        return ApplyWeightedDecimation(host, values);
     case FilterId::UmbrellaSmooth:
         return ApplyUmbrellaSmooth(host, values);
     }

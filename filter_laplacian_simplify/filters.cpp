@@ -19,6 +19,14 @@ constexpr const char* kZhang2012AndQuadrics =
     "<i>Peter Lindstrom, Greg Turk</i><br/><b>\"Fast and Memory Efficient Polygonal "
     "Simplification\"</b><br/>IEEE Visualization 1998.";
 
+constexpr const char* kWeighting =
+    "<i>Lin Zhang, Zhen Ma, Zhong Zhou, Wei Wu</i><br/><b>\"Laplacian-Based Feature Preserving Mesh "
+    "Simplification\"</b><br/>Advances in Multimedia Information Processing (PCM 2012).<br/>"
+    "<i>Stan Melax</i><br/><b>\"A Simple, Fast, and Effective Polygon Reduction Algorithm\"</b><br/>"
+    "Game Developer, November 1998.<br/>"
+    "<i>Li Li, Mingyi He, Peng Wang</i><br/><b>\"Mesh Simplification Algorithm Based on Absolute "
+    "Curvature-weighted Quadric Error Metrics\"</b><br/>ICIEA 2010.";
+
 constexpr const char* kZhang2012AndFairing =
     "<i>Mathieu Desbrun, Mark Meyer, Peter Schröder, Alan H. Barr</i><br/><b>\"Implicit Fairing of "
     "Irregular Meshes using Diffusion and Curvature Flow\"</b><br/>SIGGRAPH 1999.<br/>"
@@ -66,6 +74,19 @@ const std::vector<Filter>& Filters()
          "Where a target cannot be reached the filter stops before it and says why. Nothing is changed when "
          "a parameter is out of range or the run is cancelled.",
          kZhang2012AndQuadrics,
+         {Category::Remeshing},
+         kGeometryAndTopology},
+        {FilterId::WeightedDecimation,
+         "weighted",
+         "Simplification: Laplacian-Weighted Edge Collapse (Zhang et al. 2012)",
+         "meshing_decimation_laplacian_weighted_edge_collapse",
+         "The decimation of the paper to the letter, for comparison and research.",
+         "Edges are collapsed in the strict order of an error function times e to the power of "
+         "feature_weight "
+         "times the descriptor (Eq. 6), by VCG's own local optimisation. For everyday work the "
+         "Laplacian-Guided "
+         "filter is faster and more exact.",
+         kWeighting,
          {Category::Remeshing},
          kGeometryAndTopology},
         {FilterId::UmbrellaSmooth,

@@ -10,7 +10,13 @@ namespace laplacian_simplify
 {
 
 /// The filters; the value is the place of the row in Filters() and the id that the host knows.
-enum class FilterId { ShapeDescriptor, FeatureSelection, GuidedDecimation, UmbrellaSmooth };
+enum class FilterId {
+    ShapeDescriptor,
+    FeatureSelection,
+    GuidedDecimation,
+    WeightedDecimation,
+    UmbrellaSmooth
+};
 
 /// The kinds of data of a mesh that a filter can change; or-ed together.
 enum MeshData : std::uint32_t {

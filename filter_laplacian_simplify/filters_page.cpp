@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters_page.h"
 
+#include "number_text.h"
 #include "results.h"
 
 namespace laplacian_simplify

@@ -67,10 +67,4 @@ std::vector<const Parameter*> ParametersOf(FilterId filter);
 /// The range as people write it: "[0, 50]", "(0, 1]", "[0, 2] (0 fast, 1 balanced, 2 best)", "true or false".
 std::string RangeText(const Parameter& parameter);
 
-/// A number as short as it can be written without loss, with a point whatever the locale says.
-std::string NumberText(double value);
-
-/// A number with \p digits significant digits at the most, for reports.
-std::string RoundedText(double value, int digits);
-
 } // namespace laplacian_simplify

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "values.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
+
+#include "number_text.h"
 
 namespace laplacian_simplify
 {
@@ -18,16 +18,6 @@ std::string Sentence(const Parameter& parameter, const std::string& value, const
 }
 
 } // namespace
-
-double ExactDecimal(float value)
-{
-    std::array<char, 32> text;
-    double exact = static_cast<double>(value);
-    if (!std::isfinite(value)) return exact;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    std::from_chars(text.data(), end, exact);
-    return exact;
-}
 
 void Check(const Parameter& parameter, const GivenValue& value)
 {

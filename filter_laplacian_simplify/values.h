@@ -21,14 +21,6 @@ using GivenValue = std::variant<double, std::string>;
 /// Asks the host for a parameter; nothing where it has none, then the default is taken.
 using GivenValues = std::function<std::optional<GivenValue>(const Parameter& parameter)>;
 
-/// A host's number as the decimal that the user typed: the float 0.1f becomes 0.1, so that parameters and
-/// messages are the same in single and double precision.
-double ExactDecimal(float value);
-inline double ExactDecimal(double value)
-{
-    return value;
-}
-
 /// Refuses a value that the parameter cannot have.
 /// \throws std::invalid_argument "feature_weight = 51 is outside [0, 50]": id, value and range
 void Check(const Parameter& parameter, const GivenValue& value);

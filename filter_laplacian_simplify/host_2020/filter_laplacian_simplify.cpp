@@ -8,6 +8,7 @@
 
 #include "filter_functions.h"
 #include "host_2020/meshlab_host.h"
+#include "number_text.h"
 #include "values.h"
 
 using namespace laplacian_simplify;

@@ -8,19 +8,23 @@
 #include <set>
 #include <stdexcept>
 
+#include <QDir>
 #include <QFile>
 #include <QRegularExpression>
+#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "filters.h"
 #include "filters_page.h"
+#include "number_text.h"
 #include "parameters.h"
 #include "results.h"
 #include "values.h"
 
 using namespace laplacian_simplify;
 
-Q_DECLARE_METATYPE(const Parameter*)
+Q_DECLARE_METATYPE(laplacian_simplify::FilterId)
+Q_DECLARE_METATYPE(const laplacian_simplify::Parameter*)
 
 namespace
 {
@@ -49,6 +53,53 @@ const Parameter& Find(FilterId filter, const char* id)
     for (const Parameter* row : ParametersOf(filter))
         if (qstrcmp(row->id, id) == 0) return *row;
     throw std::logic_error(id);
+}
+
+const QString kScripts = QString(SAMPLE_MESHES_DIR) + "/../tests/hosts/scripts";
+
+/// One step of an .mlx script: the filter and "type id" of its parameters.
+struct ScriptFilter {
+    QString name;
+    QStringList parameters;
+};
+
+std::vector<ScriptFilter> ReadScript(const QString& name)
+{
+    QFile file(kScripts + "/" + name);
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    std::vector<ScriptFilter> filters;
+    for (QXmlStreamReader xml(&file); !xml.atEnd();) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        const auto attributes = xml.attributes();
+        if (xml.name() == QLatin1String("filter"))
+            filters.push_back({attributes.value("name").toString(), {}});
+        if (xml.name() == QLatin1String("Param"))
+            filters.back().parameters
+                << attributes.value("type").toString() + " " + attributes.value("name").toString();
+    }
+    return filters;
+}
+
+const Filter* FindByName(const QString& name)
+{
+    for (const Filter& filter : Filters())
+        if (name == filter.name) return &filter;
+    return nullptr;
+}
+
+const char* RichType(ParameterType type)
+{
+    switch (type) {
+    case ParameterType::Boolean:
+        return "RichBool";
+    case ParameterType::Integer:
+        return "RichInt";
+    case ParameterType::Real:
+        return "RichFloat";
+    case ParameterType::Choice:
+        return "RichEnum";
+    }
+    return "";
 }
 
 } // namespace
@@ -90,6 +141,9 @@ class TestTables : public QObject
     void numbersAreWrittenWithoutLocale();
     void floatsBecomeTheDecimalThatWasTyped();
     void committedPageIsUpToDate();
+    void scriptsOfTheHostTestsListEveryParameter_data();
+    void scriptsOfTheHostTestsListEveryParameter();
+    void everyFilterHasAScript();
 };
 
 void TestTables::filtersStandAtThePlaceOfTheirId()
@@ -105,6 +159,8 @@ void TestTables::filterNamesAreThoseOfTheContract()
          "compute_selection_by_laplacian_descriptor_per_vertex"},
         {"Simplification: Laplacian-Guided Quadric Edge Collapse",
          "meshing_decimation_laplacian_quadric_edge_collapse"},
+        {"Simplification: Laplacian-Weighted Edge Collapse (Zhang et al. 2012)",
+         "meshing_decimation_laplacian_weighted_edge_collapse"},
         {"Umbrella Smooth (Uniform, Scale- or Normal-Dependent)", "apply_coord_umbrella_smoothing"},
     };
     std::map<QString, QString> there;
@@ -148,6 +204,10 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "measure_error",
                                                                          "order",
                                                                          "threads"};
+    QTest::addRow("weighted") << FilterId::WeightedDecimation
+                              << QStringList{"error_function", "target_faces", "target_percent",
+                                             "feature_weight", "descriptor",   "class_aware",
+                                             "classes",        "refine",       "selected_only"};
     QTest::addRow("smooth") << FilterId::UmbrellaSmooth
                             << QStringList{"operator", "steps", "step_size", "boundary", "selected_only"};
 }
@@ -207,6 +267,7 @@ void TestTables::defaultsAreThoseOfTheContract()
         return QString::fromStdString(DefaultText(Find(filter, id)));
     };
     const auto guided = FilterId::GuidedDecimation;
+    QCOMPARE(text(FilterId::WeightedDecimation, "feature_weight"), "10");
     QCOMPARE(text(guided, "feature_weight"), "2");
     QCOMPARE(text(guided, "effort"), "1 `balanced`");
     QCOMPARE(text(guided, "boundary"), "1 `preserve`");
@@ -343,6 +404,36 @@ void TestTables::committedPageIsUpToDate()
     QVERIFY2(page.open(QIODevice::ReadOnly), qPrintable(page.fileName()));
     QVERIFY2(page.readAll() == QByteArray::fromStdString(FiltersPage()),
              "docs/filters.md differs from the tables: run scripts/write-filters-page");
+}
+
+void TestTables::scriptsOfTheHostTestsListEveryParameter_data()
+{
+    QTest::addColumn<QString>("script");
+    for (const QString& name : QDir(kScripts).entryList({"*.mlx"}))
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+/// MeshLab 2020.09 stops on a script that does not.
+void TestTables::scriptsOfTheHostTestsListEveryParameter()
+{
+    QFETCH(QString, script);
+    for (const ScriptFilter& used : ReadScript(script)) {
+        const Filter* filter = FindByName(used.name);
+        QVERIFY2(filter, qPrintable(used.name));
+        QStringList expected;
+        for (const Parameter* row : ParametersOf(filter->id))
+            expected << QString(RichType(row->type)) + " " + row->id;
+        QCOMPARE(used.parameters, expected);
+    }
+}
+
+void TestTables::everyFilterHasAScript()
+{
+    for (const Filter& filter : Filters()) {
+        const auto used = ReadScript(QString(filter.key) + ".mlx");
+        QCOMPARE(used.size(), std::size_t{1});
+        QCOMPARE(used.front().name, QString(filter.name));
+    }
 }
 
 QTEST_APPLESS_MAIN(TestTables)

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "decimation_words.h"
+#include "filter_decimate.h"
+#include "guidance.h"
+#include "host.h"
+#include "progress.h"
+#include "stopwatch.h"
+#include "values.h"
+#include "vcg_ext/decimation.h"
+#include "vcg_ext/discrete_curvatures.h"
+#include "vcg_ext/feature_classes.h"
+#include "vcg_ext/mesh_arrays.h"
+#include "vcg_ext/weighted_decimation.h"
+
+namespace laplacian_simplify
+{
+
+/// Option of "descriptor" behind the vertex quality: no l, but quadrics scaled by the absolute curvature.
+constexpr int kCurvatureWeightedQuadric = static_cast<int>(std::size(vcg_ext::kDescriptors)) + 1;
+
+/// The l of Eq. 6 and what hangs on it.
+template <class Mesh>
+void SetWeights(const Mesh& mesh, const vcg_ext::MeshView& view, const Values& values,
+                vcg_ext::WeightedParameters& parameters)
+{
+    const int option = values.Integer("descriptor");
+    if (option == kCurvatureWeightedQuadric) {
+        if (parameters.errorFunction != vcg_ext::ErrorFunction::Quadric)
+            throw std::invalid_argument("descriptor = " + std::to_string(option) +
+                                        " (curvature_weighted_quadric) needs error_function = 0 (quadric)");
+        const auto curvatures = vcg_ext::ComputeDiscreteCurvatures(view);
+        parameters.quadricWeights = vcg_ext::AbsoluteCurvature(curvatures.mean, curvatures.gaussian);
+        return;
+    }
+    parameters.descriptor = vcg_ext::RescaledToUnit(DescriptorValues(mesh, option, 0));
+}
+
+/// The feature vertices of Section 4.4, empty where the filter shall not tell them apart.
+inline std::vector<std::uint8_t> FeatureClass(const vcg_ext::MeshView& view, const std::vector<double>& l,
+                                              const Values& values)
+{
+    if (!values.Boolean("class_aware")) return {};
+    if (l.empty())
+        throw std::invalid_argument("class_aware = true needs a descriptor other than "
+                                    "curvature_weighted_quadric, which tells no classes apart");
+    vcg_ext::FeatureParameters parameters;
+    parameters.classes = values.Integer("classes");
+    parameters.refine = values.Boolean("refine");
+    return vcg_ext::ClassifyFeatures(view, l, parameters).isFeature;
+}
+
+/// Filter "Simplification: Laplacian-Weighted Edge Collapse (Zhang et al. 2012)".
+template <class Host>
+Report ApplyWeightedDecimation(Host& host, const Values& values)
+{
+    constexpr bool kMeasureError = true, kNewLayer = false;
+    return DecimateCurrentMesh(
+        host, values, kMeasureError, kNewLayer, [&](std::size_t target, vcg_ext::Progress progress) {
+            const auto& mesh = host.Mesh();
+            const vcg_ext::MeshArrays arrays(mesh);
+            vcg_ext::MeshView view = arrays.View();
+            vcg_ext::WeightedParameters parameters;
+            parameters.targetFaces = target;
+            parameters.progress = std::move(progress);
+            parameters.errorFunction = values.Choice<vcg_ext::ErrorFunction>("error_function");
+            parameters.featureWeight = values.Real("feature_weight");
+            SetWeights(mesh, view, values, parameters);
+            parameters.featureClass = FeatureClass(view, parameters.descriptor, values);
+            std::vector<std::uint8_t> outside;
+            if (values.Boolean("selected_only")) {
+                outside = arrays.OutsideSelection(mesh);
+                view.fixedVertices = outside.data();
+            }
+            vcg_ext::Decimation decimation;
+            decimation.mesh = vcg_ext::DecimateWeighted(view, std::move(parameters)).mesh;
+            decimation.report = vcg_ext::ReportOn(view, decimation.mesh, target, kMeasureError, 0);
+            return decimation;
+        });
+}
+
+} // namespace laplacian_simplify
