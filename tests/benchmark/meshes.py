@@ -42,7 +42,9 @@ def group_of(name: str) -> str:
 
 def prepare_mesh(source: Path, folder: Path) -> BenchmarkMesh:
     """Welds a mesh (float32 coordinates) and stores it for all tools; done once per folder."""
-    prepared = BenchmarkMesh(source.stem, group_of(source.stem), folder / f"{source.stem}.npz", folder / f"{source.stem}.ply")
+    prepared = BenchmarkMesh(
+        source.stem, group_of(source.stem), folder / f"{source.stem}.npz", folder / f"{source.stem}.ply"
+    )
     if not prepared.arrays.exists():
         mesh = read_mesh(source)
         store_mesh(prepared, welded(Mesh(mesh.vertices.astype(np.float32).astype(np.float64), mesh.faces)))

@@ -8,9 +8,9 @@ own mesh, simplifies under the stopwatch, and returns vertices and faces. Each r
 
 import ctypes
 import os
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable
 
 import numpy as np
 
@@ -172,60 +172,160 @@ def _fast_simplification(vertices, faces, target, stopwatch):
     return points, triangles
 
 
+def _this_project(**settings) -> Callable:
+    """The plugin's guided filter in pymeshlab, without the report's distances, on one thread."""
+
+    def simplify(vertices, faces, target, stopwatch):
+        import pymeshlab
+
+        import laplacian_simplify
+
+        laplacian_simplify.load()
+        meshes = pymeshlab.MeshSet()
+        meshes.add_mesh(pymeshlab.Mesh(np.asarray(vertices, dtype=np.float64), np.asarray(faces, dtype=np.int32)))
+        with stopwatch:
+            meshes.apply_filter(
+                "meshing_decimation_laplacian_quadric_edge_collapse",
+                target_faces=target,
+                measure_error=False,
+                threads=1,
+                **settings,
+            )
+        result = meshes.current_mesh()
+        return result.vertex_matrix(), result.face_matrix()
+
+    return simplify
+
+
 _BEST_MESHLAB = {"preservenormal": True, "preserveboundary": True}
 _VCG, _MESHOPT, _MESHLIB, _VTK = "VCG", "meshoptimizer", "MeshLib", "VTK"
 
 PEERS = [
-    Peer("cgal_lt", "CGAL", "Lindstrom–Turk, bounded normal change", "CGAL LT", _shared_object("cgal", "LindstromTurk")),
     Peer(
-        "cgal_gh", "CGAL", "Garland–Heckbert, bounded normal change", "CGAL GH", _shared_object("cgal", "GarlandHeckbert")
+        "cgal_lt", "CGAL", "Lindstrom–Turk, bounded normal change", "CGAL LT", _shared_object("cgal", "LindstromTurk")
+    ),
+    Peer(
+        "cgal_gh",
+        "CGAL",
+        "Garland–Heckbert, bounded normal change",
+        "CGAL GH",
+        _shared_object("cgal", "GarlandHeckbert"),
     ),
     Peer("pymeshlab", "pymeshlab", "defaults", _VCG, _pymeshlab()),
     Peer("pymeshlab_preserve", "pymeshlab", "preserve normal and boundary", _VCG, _pymeshlab(**_BEST_MESHLAB)),
     Peer(
-        "pymeshlab_weighted", "pymeshlab", "the same + quality weight by RMS curvature", _VCG,
+        "pymeshlab_weighted",
+        "pymeshlab",
+        "the same + quality weight by RMS curvature",
+        _VCG,
         _pymeshlab(quality_weight=True, **_BEST_MESHLAB),
     ),
     Peer(
-        "meshoptimizer_debian", "meshoptimizer (Debian)", "simplify, any error", _MESHOPT,
+        "meshoptimizer_debian",
+        "meshoptimizer (Debian)",
+        "simplify, any error",
+        _MESHOPT,
         _shared_object("meshoptimizer_debian", "MeshoptimizerSimplify"),
     ),
     Peer(
-        "meshoptimizer", "meshoptimizer (newest)", "simplify, any error", _MESHOPT,
+        "meshoptimizer",
+        "meshoptimizer (newest)",
+        "simplify, any error",
+        _MESHOPT,
         _shared_object("meshoptimizer_newest", "MeshoptimizerSimplify"),
     ),
     Peer(
-        "meshoptimizer_update", "meshoptimizer (newest)", "simplifyWithUpdate, any error", _MESHOPT,
+        "meshoptimizer_update",
+        "meshoptimizer (newest)",
+        "simplifyWithUpdate, any error",
+        _MESHOPT,
         _shared_object("meshoptimizer_newest", "MeshoptimizerSimplifyWithUpdate"),
     ),
     Peer("meshlib", "MeshLib", "defaults", _MESHLIB, _meshlib()),
     Peer(
-        "meshlib_best", "MeshLib", "stabilizer 0, aspect ratio 100", _MESHLIB,
+        "meshlib_best",
+        "MeshLib",
+        "stabilizer 0, aspect ratio 100",
+        _MESHLIB,
         _meshlib(stabilizer=0.0, maxTriangleAspectRatio=100.0),
     ),
     Peer(
-        "meshlib_parts", "MeshLib", "the same, 2 parts", _MESHLIB,
+        "meshlib_parts",
+        "MeshLib",
+        "the same, 2 parts",
+        _MESHLIB,
         _meshlib(stabilizer=0.0, maxTriangleAspectRatio=100.0, subdivideParts=2),
     ),
     Peer("vtk_quadric", "VTK", "vtkQuadricDecimation, defaults", _VTK, _vtk("vtkQuadricDecimation")),
     Peer(
-        "vtk_quadric_volume", "VTK", "vtkQuadricDecimation, volume preserving", _VTK,
+        "vtk_quadric_volume",
+        "VTK",
+        "vtkQuadricDecimation, volume preserving",
+        _VTK,
         _vtk("vtkQuadricDecimation", VolumePreservation=True),
     ),
-    Peer("vtk_pro", "VTK", "vtkDecimatePro, topology kept", "VTK DecimatePro", _vtk("vtkDecimatePro", PreserveTopology=True)),
+    Peer("vtk_pro_defaults", "VTK", "vtkDecimatePro, defaults", "VTK DecimatePro", _vtk("vtkDecimatePro")),
+    Peer(
+        "vtk_pro",
+        "VTK",
+        "vtkDecimatePro, topology kept",
+        "VTK DecimatePro",
+        _vtk("vtkDecimatePro", PreserveTopology=True),
+    ),
     Peer("open3d", "Open3D", "quadric, defaults", "Open3D", _open3d),
     Peer("blender", "Blender bpy", "Decimate modifier, collapse", "Blender", _blender),
     Peer("openmesh", "OpenMesh", "quadric", "OpenMesh", _openmesh(normal_flipping=False)),
     Peer("openmesh_flip", "OpenMesh", "quadric, no normal flips", "OpenMesh", _openmesh(normal_flipping=True)),
     Peer(
-        "fast_simplification", "fast-simplification", "defaults (also behind PyVista and trimesh)",
-        "sp4cerat's Fast-Quadric-Mesh-Simplification", _fast_simplification,
+        "fast_simplification",
+        "fast-simplification",
+        "defaults (also behind PyVista and trimesh)",
+        "sp4cerat's Fast-Quadric-Mesh-Simplification",
+        _fast_simplification,
     ),
+]
+
+_FAST, _BALANCED, _BEST = 0, 1, 2
+_SWEEPS, _STRICT = 0, 1
+_OWN = "this project"
+
+OWN = [
+    Peer("fast", _OWN, "effort fast", _OWN, _this_project(effort=_FAST, order=_SWEEPS)),
+    Peer("balanced", _OWN, "effort balanced", _OWN, _this_project(effort=_BALANCED, order=_SWEEPS)),
+    Peer("best", _OWN, "effort best", _OWN, _this_project(effort=_BEST, order=_SWEEPS)),
+    Peer("strict", _OWN, "effort fast, order strict", _OWN, _this_project(effort=_FAST, order=_STRICT)),
+]
+
+# The engine without a host; geometry is that of the plugin, so it only appears where time is measured.
+ENGINE = [
+    Peer("engine_fast", "engine on arrays", "effort fast, 1 thread", _OWN, _shared_object("engine", "EngineFast")),
+    Peer(
+        "engine_fast_2",
+        "engine on arrays",
+        "effort fast, 2 threads",
+        _OWN,
+        _shared_object("engine", "EngineFastTwoThreads"),
+    ),
+    Peer(
+        "engine_balanced",
+        "engine on arrays",
+        "effort balanced, 1 thread",
+        _OWN,
+        _shared_object("engine", "EngineBalanced"),
+    ),
+    Peer(
+        "engine_balanced_2",
+        "engine on arrays",
+        "effort balanced, 2 threads",
+        _OWN,
+        _shared_object("engine", "EngineBalancedTwoThreads"),
+    ),
+    Peer("engine_best", "engine on arrays", "effort best, 1 thread", _OWN, _shared_object("engine", "EngineBest")),
 ]
 
 REFERENCE, SECOND_REFERENCE, HOST = "cgal_lt", "cgal_gh", "pymeshlab"
 
 
 def peer_named(identifier: str) -> Peer:
-    """The row of PEERS with this id."""
-    return next(peer for peer in PEERS if peer.id == identifier)
+    """The row of the tables above with this id."""
+    return next(peer for peer in PEERS + OWN + ENGINE if peer.id == identifier)

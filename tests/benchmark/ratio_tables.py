@@ -49,9 +49,7 @@ def group_ratio(runs: dict, reference: dict, group: str, percent: float, axis: s
     names = [name for name in GROUPS[group] if (name, percent) in runs and (name, percent) in reference]
     if not names:
         return None
-    return geometric_mean(
-        ratio(runs[name, percent][axis], reference[name, percent][axis], axis) for name in names
-    )
+    return geometric_mean(ratio(runs[name, percent][axis], reference[name, percent][axis], axis) for name in names)
 
 
 def cells(runs: dict, reference: dict, second: dict) -> list[Cell]:

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a newcomer gets: the project's command against MeshLab's defaults, and the descriptor's speed."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from build_peers import PROJECT
+from mesh_topology import read_mesh
+from meshes import BenchmarkMesh
+from metrics import Original, measure, plain_numbers
+from peers import HOST
+from runs import Store, Workshop, load_result, run_tool
+
+COMMAND_FACES = 1000
+
+
+def measure_command(workshop: Workshop, store: Store, source: Path, mesh: BenchmarkMesh) -> None:
+    """Stores the section 'command': scripts/simplify and MeshLab's quadric decimation, both to 1,000 faces."""
+    result = workshop.results / "command.ply"
+    command = [str(PROJECT / "scripts" / "simplify"), str(source), str(result), "--faces", str(COMMAND_FACES)]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    host_result = workshop.results / "command_host.npz"
+    run_tool(workshop, HOST, mesh, [(COMMAND_FACES, host_result)])
+    original = Original(mesh.load())
+    store.sections["command"] = {
+        "mesh": source.name,
+        "faces": COMMAND_FACES,
+        "project": plain_numbers(measure(original, read_mesh(result))),
+        "host": plain_numbers(measure(original, load_result(host_result))),
+    }
+    store.save()
+
+
+def measure_host_descriptor(workshop: Workshop, store: Store, mesh: BenchmarkMesh, rounds: int) -> None:
+    """Stores descriptor/host: processor seconds of the descriptor, of mean curvature and of an idle filter."""
+    script = Path(__file__).with_name("host_descriptor.py")
+    done = subprocess.run(
+        [sys.executable, str(script), str(mesh.arrays), str(rounds)],
+        env=dict(workshop.environment(), OMP_NUM_THREADS="1"),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    store.section("descriptor")["host"] = {
+        "faces": len(mesh.load().faces),
+        "seconds": json.loads(done.stdout.strip().splitlines()[-1]),
+    }
+    store.save()

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes docs/benchmark.md from the stored figures. Every figure of the page comes from here."""
+
+from pathlib import Path
+
+import page_geometry as geometry
+import page_speed as speed
+from meshes import GROUPS
+from metrics import SAMPLES
+from peers import OWN, PEERS, Peer, peer_named
+
+HEAD = """<!-- Written by scripts/benchmark; changes by hand are lost. -->
+# Benchmark
+
+`scripts/benchmark` measured everything on this page and wrote it; anyone can run it again ({command}).
+Ratios below 1 mean that this project is ahead; **bold** figures mean that it is not.
+"""
+
+DEFINITIONS = """## What is measured
+
+All tools get the same mesh: vertices at the same place united, float32 coordinates. All results are measured by
+[one tool](../tests/benchmark/metrics.py) with libigl's exact distances from points to meshes ({samples:,} samples by
+area on either side, fixed seed), in percent of the diagonal of the original's bounding box:
+
+- **rms** √((F + B)/2), F and B the mean squared distances original → simplified and back;
+- **feature rms** original → simplified at the tenth of the original's vertices with the largest Laplacian descriptor;
+- **Hausdorff** the largest distance both ways, over the samples and all vertices;
+- **normal deviation** the mean angle between the normals at a sample and at its closest point, both ways;
+- **folded faces** faces whose normal is more than 90° from the original's at the point closest to their centroid.
+
+Two distances below 0.001 % count as equal. Groups: {groups}. These public test models are not part of the project;
+`--meshes FOLDER` tells where they are.
+"""
+
+TRAPS = """## Several names, one implementation
+
+- MeshLab, meshlabserver and pymeshlab run one VCG quadric decimation. PyVista's `decimate` and `decimate_pro` are
+  VTK's; PyVista's and trimesh's fast simplification is the package fast-simplification, which wraps sp4cerat's code.
+- The wrapper of meshoptimizer on PyPI stops at an error of 0.01 unless told otherwise, and holds an older version than
+  the crate; here meshoptimizer is called directly, with any error allowed.
+- CGAL's meshes have no non-manifold vertices: such vertices are split before its clock starts.
+- vtkDecimatePro with topology kept, and meshoptimizer where nothing more may collapse, stop above the target: see the
+  column of targets missed.
+- bpy and pymeshlab cannot share a process; every tool runs in its own.
+"""
+
+
+def environment_lines(machine: dict) -> list[str]:
+    """Machine and versions."""
+    versions = ", ".join(f"{name} {number}" for name, number in machine["versions"].items())
+    return [
+        "## Machine and versions",
+        "",
+        f"{machine['date']}: {machine['processor']}, {machine['cores']} cores, {machine['memory_gib']} GiB; "
+        f"{machine['system']}; {machine['compiler']}.",
+        "",
+        versions + ".",
+        "",
+    ]
+
+
+def geometry_lines(section: dict) -> list[str]:
+    """Everything about distances."""
+    shown = [peer for peer in OWN if section.get(peer.id)]
+    lines = [
+        "## Geometry against the best open peers",
+        "",
+        "Geometric-mean ratios to CGAL's Lindstrom–Turk with bounded normal change: rms/feature rms/Hausdorff/normal "
+        "deviation. Bold: one of the first three loses to Lindstrom–Turk or to Garland–Heckbert.",
+        "",
+        *geometry.group_table(section),
+        "",
+        "## All tools",
+        "",
+        "Over all meshes and percentages of both groups, ratios to CGAL's Lindstrom–Turk: geometric means, for rms "
+        "also median and range over the runs; faults are sums.",
+        "",
+        *geometry.tool_table(section),
+        "",
+    ]
+    for peer in shown:
+        lines += [
+            f"### {geometry.title_of(peer)} against MeshLab's defaults, mesh by mesh",
+            "",
+            "rms/feature rms as ratios to pymeshlab's quadric decimation with defaults.",
+            "",
+            *geometry.host_table(section, peer),
+            "",
+        ]
+    lines += ["### More folded faces than Lindstrom–Turk", "", *geometry.fold_table(section), ""]
+    return lines + [
+        "### The figures themselves",
+        "",
+        "rms/Hausdorff in percent of the diagonal.",
+        "",
+        *geometry.absolute_table(section, ["cgal_lt", "cgal_gh", "pymeshlab", *[peer.id for peer in shown]]),
+        "",
+    ]
+
+
+def speed_lines(sections: dict) -> list[str]:
+    """Everything about time and memory."""
+    runs = sections.get("speed", {})
+    lines = ["## Time and memory", ""]
+    for name, reference, text in (
+        ("arrays", "meshoptimizer_debian", "one thread unless said otherwise"),
+        ("host", "pymeshlab", "filters in pymeshlab, one thread, `measure_error` off"),
+    ):
+        if name in runs:
+            run = runs[name]
+            lines += [
+                f"### {run['faces']:,} faces to {run['percent']:g} %: {text}",
+                "",
+                "Medians over rounds in which the tools take turns; ratios are taken inside a round (median, range). "
+                "Peak memory is counted above the loaded mesh.",
+                "",
+                *speed.speed_table(run, reference),
+                "",
+            ]
+    if any(name.startswith("best_") for name in runs):
+        lines += ["### Effort best", "", *speed.best_table(runs), ""]
+    return lines + growth_lines(sections.get("growth", {})) + descriptor_section(sections.get("descriptor", {}))
+
+
+def growth_lines(growth: dict) -> list[str]:
+    """Small to large meshes."""
+    if not growth.get("rows"):
+        return []
+    lines = [f"### Growth, to {growth['percent']:g} %", "", *speed.growth_table(growth), ""]
+    for peer_id in growth["rows"][0]["figures"]:
+        factor = speed.growth_factor(growth, peer_id, 60_000)
+        if factor is not None:
+            lines += [
+                f"{speed.tool_name(peer_id)}: time per face grows {factor:.2f} times from the first mesh over "
+                "60,000 faces to the largest.",
+                "",
+            ]
+    return lines
+
+
+def descriptor_section(descriptor: dict) -> list[str]:
+    """The descriptor alone."""
+    return ["### Descriptor", "", *speed.descriptor_lines(descriptor), ""] if descriptor else []
+
+
+def command_lines(command: dict) -> list[str]:
+    """The command of the README against MeshLab's defaults."""
+    if not command:
+        return []
+    own, host = command["project"], command["host"]
+    lines = [
+        f"## `scripts/simplify {command['mesh']} out.ply --faces {command['faces']}`",
+        "",
+        "| | this project | MeshLab's quadric decimation, defaults | ratio |",
+        "|---|---|---|---|",
+    ]
+    for axis, text in (("rms", "rms, %"), ("feature_rms", "feature rms, %"), ("hausdorff", "Hausdorff, %")):
+        ratio = own[axis] / host[axis]
+        shown = geometry.bold(f"{ratio:.3f}") if ratio >= 1 else f"{ratio:.3f}"
+        lines.append(f"| {text} | {own[axis]:.5f} | {host[axis]:.5f} | {shown} |")
+    lines.append(f"| faces | {own['faces']} | {host['faces']} | |")
+    lines.append(f"| folded faces | {own['folded_faces']} | {host['folded_faces']} | |")
+    return [*lines, ""]
+
+
+def picture_lines(pictures: dict) -> list[str]:
+    """Error maps."""
+    if not pictures:
+        return []
+    lines = ["## Where the error is", ""]
+    lines += ["The originals, coloured by their distance to each result; one scale a picture.", ""]
+    for name, picture in pictures.items():
+        lines += [f"{picture['text']}", "", f"![Error maps of {name}](images/benchmark/{name}.png)", ""]
+    return lines
+
+
+def settings_lines(section: dict) -> list[str]:
+    """Tools, their settings and who shares an implementation."""
+    lines = ["## Tools and settings", "", "| tool | settings | implementation |", "|---|---|---|"]
+    rows: list[Peer] = [peer for peer in [*OWN, *PEERS] if section.get(peer.id)]
+    return lines + [f"| {peer.library} | {peer.settings} | {peer.implementation} |" for peer in rows] + [""]
+
+
+def write_page(sections: dict, destination: Path, command: str) -> None:
+    """The whole page."""
+    groups = "; ".join(f"{group}: {', '.join(names)}" for group, names in GROUPS.items())
+    quality = sections.get("quality", {})
+    parts = [
+        HEAD.format(command=command),
+        *environment_lines(sections["machine"]),
+        DEFINITIONS.format(samples=SAMPLES, groups=groups),
+        *geometry_lines(quality),
+        *command_lines(sections.get("command", {})),
+        *picture_lines(sections.get("pictures", {})),
+        *speed_lines(sections),
+        *settings_lines(quality),
+        TRAPS,
+    ]
+    destination.write_text("\n".join(parts), encoding="utf-8")
+
+
+def picture_captions(quality: dict, name: str, percent: float) -> dict:
+    """'rms x %' of each tool, to stand in the pictures."""
+    key = f"{name}_{percent:g}"
+    found = {peer_id: runs[key] for peer_id, runs in quality.items() if "rms" in runs.get(key, {})}
+    return {peer_id: f"rms {run['rms']:.4f} %" for peer_id, run in found.items() if peer_named(peer_id)}

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs of one tool on one mesh, each in a process of its own, and the store of what they gave."""
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from mesh_topology import Mesh, without_unreferenced
+from meshes import BenchmarkMesh, target_faces
+
+LONGEST_SECONDS = 1800
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """Where a benchmark works: shared objects, prepared meshes, results."""
+
+    folder: Path
+
+    @property
+    def peers(self) -> Path:
+        return self.folder / "peers"
+
+    @property
+    def inputs(self) -> Path:
+        return self.folder / "inputs"
+
+    @property
+    def results(self) -> Path:
+        return self.folder / "results"
+
+    def environment(self) -> dict:
+        """What a run finds in its environment. One thread, unless a peer is asked for more."""
+        return dict(os.environ, BENCHMARK_PEERS=str(self.peers))
+
+
+class Store:
+    """Figures by section, kept in a JSON file after every change."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self.sections = json.loads(path.read_text()) if path.exists() else {}
+
+    def section(self, name: str) -> dict:
+        return self.sections.setdefault(name, {})
+
+    def save(self) -> None:
+        self._path.parent.mkdir(parents=True, exist_ok=True)
+        scratch = self._path.with_suffix(".part")
+        scratch.write_text(json.dumps(self.sections, indent=1))
+        scratch.replace(self._path)
+
+
+def run_tool(workshop: Workshop, peer_id: str, mesh: BenchmarkMesh, jobs: list[tuple[int, Path]]) -> list[dict]:
+    """Runs a tool for each pair of faces to reach and place of the result (.npz), in one process.
+
+    Returns times and peak memory of each, or {"failure": why}.
+    """
+    command = [sys.executable, str(Path(__file__).with_name("one_run.py")), peer_id, str(mesh.arrays)]
+    for faces, destination in jobs:
+        destination.parent.mkdir(parents=True, exist_ok=True)
+        command += [str(faces), str(destination)]
+    try:
+        done = subprocess.run(
+            command, env=workshop.environment(), capture_output=True, text=True, timeout=LONGEST_SECONDS, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return [{"failure": f"more than {LONGEST_SECONDS} s"}] * len(jobs)
+    figures = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+    crash = {"failure": (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]}
+    return figures + [crash] * (len(jobs) - len(figures))
+
+
+def result_path(workshop: Workshop, peer_id: str, mesh: BenchmarkMesh, percent: float) -> Path:
+    """Where the mesh of a run of the quality section lies."""
+    return workshop.results / peer_id / f"{mesh.name}_{percent:g}.npz"
+
+
+def load_result(path: Path) -> Mesh:
+    """The mesh that a run left."""
+    stored = np.load(path)
+    return without_unreferenced(stored["vertices"].astype(np.float64), stored["faces"].astype(np.int64))
+
+
+def faces_at(mesh: BenchmarkMesh, percent: float) -> int:
+    """Faces to reach at a percentage of a prepared mesh."""
+    return target_faces(mesh.load(), percent)
