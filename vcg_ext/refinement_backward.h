@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "point_triangle.h"
+#include "refinement_equations.h"
 #include "refinement_samples.h"
 #include "refinement_star.h"
 #include "simd.h"
@@ -17,38 +18,61 @@
 namespace vcg_ext::refinement
 {
 
-/// The sums of a least-squares step: (sum w b^2 n n^T) x = sum w b d, with b the part of the step that the
-/// point makes, d its residual and n the direction of it.
-struct NormalEquations {
-    float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    Vector3 right;
+/// Four points of the simplified surface whose distances to the original count. Lanes behind the last repeat
+/// it with weight 0.
+struct BackwardGroup {
+    FourPoints position; ///< in the frame of the arrays
+    Float4 weight;       ///< area, times the weight of the backward term
+    Float4 leverage;     ///< part of the vertex's step that the point makes
+    Place* hint[4];      ///< face of the original found last, or where to look first
+};
 
-    void Add(float weight, float leverage, const Vector3& residual)
+class BackwardPoints
+{
+    Scratch<BackwardGroup> groups_;
+    std::size_t count_ = 0;
+
+  public:
+    void Clear()
     {
-        const float length2 = SquaredNorm(residual);
-        if (!(length2 > kSmallestResidual2)) return;
-        const float s = weight * leverage * leverage / length2;
-        xx += s * residual.x * residual.x;
-        xy += s * residual.x * residual.y;
-        xz += s * residual.x * residual.z;
-        yy += s * residual.y * residual.y;
-        yz += s * residual.y * residual.z;
-        zz += s * residual.z * residual.z;
-        right = right + (weight * leverage) * residual;
+        groups_.Clear();
+        count_ = 0;
     }
-
-    /// Residuals below this say nothing about their direction.
-    static constexpr float kSmallestResidual2 = 1e-14F;
+    void Add(const Vector3& position, float weight, float leverage, Place* hint)
+    {
+        const int lane = static_cast<int>(count_++ % kLanes);
+        BackwardGroup& group = lane == 0 ? groups_.Append() : groups_[groups_.size() - 1];
+        for (int i = lane; i < kLanes; ++i) {
+            group.position.x[i] = position.x;
+            group.position.y[i] = position.y;
+            group.position.z[i] = position.z;
+            group.weight[i] = i == lane ? weight : 0;
+            group.leverage[i] = leverage;
+            group.hint[i] = hint;
+        }
+    }
+    const BackwardGroup* begin() { return groups_.begin(); }
+    const BackwardGroup* end() { return groups_.end(); }
 };
 
-/// A point of the simplified surface whose distance to the original counts.
-struct BackwardPoint {
-    Vector3 position; ///< in the frame of the arrays
-    float weight;     ///< area, times the weight of the backward term
-    float leverage;   ///< part of the vertex's step that the point makes
-    Place* hint;      ///< face of the original found last, or where to look first
+/// The triangles of four faces of a surface, each seen from its first corner, and a point of each.
+struct FourFaces {
+    FourPoints point, b, c;
 };
-using BackwardPoints = Scratch<BackwardPoint>;
+inline FourFaces LoadFaces(const SurfaceArrays& surface, const std::uint32_t* faces, const FourPoints& p)
+{
+    const auto corner = [&](int k) {
+        const auto at = [&](int lane) { return &surface.points[surface.triangles[faces[lane]].v[k]].x; };
+        FourPoints q;
+        Float4 weight;
+        LoadTransposed(at(0), at(1), at(2), at(3), q.x, q.y, q.z, weight);
+        return q;
+    };
+    const FourPoints a = corner(0), b = corner(1), c = corner(2);
+    return {{p.x - a.x, p.y - a.y, p.z - a.z},
+            {b.x - a.x, b.y - a.y, b.z - a.z},
+            {c.x - a.x, c.y - a.y, c.z - a.z}};
+}
 
 /// Squared distances to the original surface by walks over its stars from a remembered place.
 class BackwardSearch
@@ -59,17 +83,73 @@ class BackwardSearch
 
     const SurfaceArrays& original_;
 
-  public:
     struct Hit {
-        float distance2 = std::numeric_limits<float>::max(); ///< unchanged where nothing was found
+        float distance2 = std::numeric_limits<float>::max();
         ClosestPoint closest{};
         std::uint32_t face = kNone;
     };
 
+  public:
+    /// Of four points: squared distance, vector to the closest point, and whether there is one.
+    struct FourHits {
+        Float4 distance2;
+        FourPoints residual;
+        Int4 found;
+    };
+
     explicit BackwardSearch(const SurfaceArrays& original) : original_(original) {}
 
-    /// The closest place that the walk from \p hint finds; \p hint becomes its face. \pre hint is a place
-    Hit Find(const Vector3& p, Place& hint) const
+    /// The closest places that walks from the hints find; the hints become their faces.
+    FourHits Find(const FourPoints& points, Place* const* hints) const
+    {
+        FourHits hits = TestHints(points, hints);
+        const int done = LaneBits(hits.found);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            if (done >> lane & 1) continue;
+            const Vector3 p{points.x[lane], points.y[lane], points.z[lane]};
+            const Hit hit = Walk(p, *hints[lane]);
+            if (hit.face == kNone) continue;
+            *hints[lane] = hit.face | kFacePlace;
+            const Vector3 residual = Residual(p, hit);
+            hits.distance2[lane] = hit.distance2;
+            hits.residual.x[lane] = residual.x;
+            hits.residual.y[lane] = residual.y;
+            hits.residual.z[lane] = residual.z;
+            hits.found[lane] = -1;
+        }
+        return hits;
+    }
+
+  private:
+    static bool IsInside(const ClosestPoint& closest)
+    {
+        return closest.weights[0] > kInside && closest.weights[1] > kInside && closest.weights[2] > kInside;
+    }
+    /// Most points are still over the face found last: found where that is so.
+    FourHits TestHints(const FourPoints& points, Place* const* hints) const
+    {
+        std::uint32_t faces[kLanes];
+        Int4 known;
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const Place hint = *hints[lane];
+            known[lane] = IsFace(hint) ? -1 : 0;
+            faces[lane] = IsFace(hint) ? hint & ~kFacePlace : 0;
+        }
+        const auto [p, b, c] = LoadFaces(original_, faces, points);
+        const FourPoints n{b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
+        const Float4 bb = SquaredNorm(b), cc = SquaredNorm(c), n2 = SquaredNorm(n);
+        const Float4 bc = b.x * c.x + b.y * c.y + b.z * c.z;
+        const Float4 pb = p.x * b.x + p.y * b.y + p.z * b.z, pc = p.x * c.x + p.y * c.y + p.z * c.z;
+        const Float4 wb = cc * pb - bc * pc, wc = bb * pc - bc * pb, least = kInside * n2; // x determinant
+        const Int4 proper = n2 > Max(kFlattestSine2 * bb * cc, Splat(kSmallestSquare));
+        const Float4 height = (p.x * n.x + p.y * n.y + p.z * n.z) / Max(n2, Splat(kSmallestSquare));
+        FourHits hits;
+        hits.found = known & proper & (wb > least) & (wc > least) & (n2 - wb - wc > least);
+        hits.distance2 = height * height * n2;
+        hits.residual = {-height * n.x, -height * n.y, -height * n.z};
+        return hits;
+    }
+    Hit Walk(const Vector3& p, Place hint) const
     {
         Hit hit;
         std::uint32_t around = hint;
@@ -77,7 +157,6 @@ class BackwardSearch
             hit.face = hint & ~kFacePlace;
             hit.closest = ClosestOnFace(p, hit.face);
             hit.distance2 = hit.closest.distance2;
-            if (IsInside(hit.closest)) return hit;
             around = NearestCorner(hit);
         }
         for (int star = 0; star < kLongestWalk && around != kNone; ++star) {
@@ -89,11 +168,9 @@ class BackwardSearch
             if (next == around) break;
             around = next;
         }
-        if (hit.face != kNone) hint = hit.face | kFacePlace;
         return hit;
     }
-
-    /// From \p p to the closest point of \p hit; along the normal of the face where it lies inside.
+    /// From \p p to the closest point; along the normal of the face where it lies inside.
     Vector3 Residual(const Vector3& p, const Hit& hit) const
     {
         const SurfaceTriangle& t = original_.triangles[hit.face];
@@ -104,12 +181,6 @@ class BackwardSearch
         const Vector3 normal = Cross(b, c);
         const float normal2 = SquaredNorm(normal);
         return normal2 > 0 ? (-Dot(query, normal) / normal2) * normal : Vector3{};
-    }
-
-  private:
-    static bool IsInside(const ClosestPoint& closest)
-    {
-        return closest.weights[0] > kInside && closest.weights[1] > kInside && closest.weights[2] > kInside;
     }
     ClosestPoint ClosestOnFace(const Vector3& p, std::uint32_t face) const
     {
@@ -130,12 +201,16 @@ class BackwardSearch
     {
         const Corner* corners = BeginCorners(original_, v);
         const std::size_t count = original_.cornerCount[v];
+        const FourPoints query{Splat(p.x), Splat(p.y), Splat(p.z)};
         bool found = false;
         for (std::size_t i = 0; i < count; i += kLanes) {
             std::uint32_t faces[kLanes];
             for (std::size_t lane = 0; lane < kLanes; ++lane)
                 faces[lane] = FaceOf(corners[std::min(i + lane, count - 1)]);
-            const Float4 distance2 = DistancesToFaces(p, faces);
+            const FourFaces four = LoadFaces(original_, faces, query);
+            const auto triangles =
+                PrepareTriangle(four.b.x, four.b.y, four.b.z, four.c.x, four.c.y, four.c.z);
+            const Float4 distance2 = ClosestOnTriangle(four.point, triangles).distance2;
             if (!AnyLane(distance2 < Splat(hit.distance2 * kLeastProgress))) continue;
             for (int lane = 0; lane < kLanes; ++lane) {
                 if (!(distance2[lane] < hit.distance2 * kLeastProgress)) continue;
@@ -146,47 +221,45 @@ class BackwardSearch
         }
         return found;
     }
-    FourPoints LoadCorners(const std::uint32_t* faces, int k) const
-    {
-        const auto at = [&](int lane) { return &original_.points[original_.triangles[faces[lane]].v[k]].x; };
-        FourPoints p;
-        Float4 weight;
-        LoadTransposed(at(0), at(1), at(2), at(3), p.x, p.y, p.z, weight);
-        return p;
-    }
-    Float4 DistancesToFaces(const Vector3& p, const std::uint32_t* faces) const
-    {
-        const FourPoints a = LoadCorners(faces, 0), b = LoadCorners(faces, 1), c = LoadCorners(faces, 2);
-        const auto triangle =
-            PrepareTriangle(b.x - a.x, b.y - a.y, b.z - a.z, c.x - a.x, c.y - a.y, c.z - a.z);
-        return ClosestOnTriangle(FourPoints{p.x - a.x, p.y - a.y, p.z - a.z}, triangle).distance2;
-    }
 };
 
-/// The energy of some backward points, their largest squared distance.
+/// The energy of some backward points and their largest squared distance.
 struct BackwardEnergy {
     double energy = 0;
     float largest2 = 0;
 };
 
-/// Sum of weight x squared distance.
+/// Sum of weight x squared distance, the points moved by their part of \p step.
 /// \param limit2 squared distances count at most this much, and such points do not enter \p equations
 /// \param stop the sum ends where it is larger
 /// \param equations may be null
-inline BackwardEnergy MeasureBackward(const BackwardSearch& search, BackwardPoints& points, float limit2,
-                                      double stop, NormalEquations* equations)
+inline BackwardEnergy MeasureBackward(const BackwardSearch& search, BackwardPoints& points,
+                                      const Vector3& step, float limit2, double stop, EquationSums* equations)
 {
+    constexpr float kSmallestResidual2 = 1e-14F; // below, a residual has no direction
     BackwardEnergy sum;
-    for (const BackwardPoint& point : points) {
-        const BackwardSearch::Hit hit = search.Find(point.position, *point.hint);
-        if (hit.face == kNone) continue;
-        const float distance2 = std::min(hit.distance2, limit2);
-        sum.largest2 = std::max(sum.largest2, distance2);
-        sum.energy += static_cast<double>(point.weight * distance2);
-        if (equations && hit.distance2 <= limit2)
-            equations->Add(point.weight, point.leverage, search.Residual(point.position, hit));
+    Float4 largest = Splat(0.0F);
+    for (const BackwardGroup& group : points) {
+        const FourPoints position{group.position.x + group.leverage * step.x,
+                                  group.position.y + group.leverage * step.y,
+                                  group.position.z + group.leverage * step.z};
+        const BackwardSearch::FourHits hits = search.Find(position, group.hint);
+        const Float4 distance2 = OrZero(hits.found, Min(hits.distance2, Splat(limit2)));
+        largest = Max(largest, distance2);
+        sum.energy += static_cast<double>(SumLanes(group.weight * distance2));
+        if (equations) {
+            const Float4 length2 = SquaredNorm(hits.residual);
+            const Int4 counts =
+                hits.found & (hits.distance2 <= Splat(limit2)) & (length2 > Splat(kSmallestResidual2));
+            const Float4 inverse = 1.0F / Sqrt(Max(length2, Splat(kSmallestResidual2)));
+            const FourPoints r{OrZero(counts, hits.residual.x), OrZero(counts, hits.residual.y),
+                               OrZero(counts, hits.residual.z)};
+            equations->Add(OrZero(counts, group.weight * group.leverage), group.leverage,
+                           {inverse * r.x, inverse * r.y, inverse * r.z}, r);
+        }
         if (sum.energy > stop) break;
     }
+    sum.largest2 = MaxLane(largest);
     return sum;
 }
 

@@ -71,8 +71,8 @@ class EdgeFlipper
         if (!FindEdge(v, w)) return false;
         const RefinementParameters& p = state_.parameters;
         SampleSummary summary;
-        Summarise(state_.samples, edge_.First(), summary);
-        Summarise(state_.samples, edge_.Second(), summary);
+        Add(state_.samples.faces[edge_.First()], summary);
+        Add(state_.samples.faces[edge_.Second()], summary);
         const float needed = p.flipGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count == 0 || summary.energy < needed) return false;
         if (!ShapeAllows() || AreNeighbours(edge_.c, edge_.d)) return false;
@@ -200,15 +200,16 @@ class EdgeFlipper
         const float area0 = p.backwardWeight * faces[0].doubleArea / 2;
         const float area1 = p.backwardWeight * faces[1].doubleArea / 2;
         std::array<Place, 3> hints;
+        std::size_t point = 0;
         points_.Clear();
-        points_.Append() = {0.5F * (u + v), p.backwardFlippedEdge * (area0 + area1), 0, &hints[0]};
-        points_.Append() = {(1.0F / 3) * (u + v + x), p.backwardFlippedFaces * area0, 0, &hints[1]};
-        points_.Append() = {(1.0F / 3) * (u + v + y), p.backwardFlippedFaces * area1, 0, &hints[2]};
-        for (BackwardPoint& point : points_) {
-            *point.hint = NearestOrigin(state_.samples, groups_, point.position);
-            point.position = point.position + shape_.a;
-        }
-        return MeasureBackward(search_, points_, limit2, stop, nullptr);
+        const auto add = [&](const Vector3& position, float weight) {
+            hints[point] = NearestOrigin(state_.samples, groups_, {0, groups_.size()}, position);
+            points_.Add(shape_.a + position, weight, 0, &hints[point++]);
+        };
+        add(0.5F * (u + v), p.backwardFlippedEdge * (area0 + area1));
+        add((1.0F / 3) * (u + v + x), p.backwardFlippedFaces * area0);
+        add((1.0F / 3) * (u + v + y), p.backwardFlippedFaces * area1);
+        return MeasureBackward(search_, points_, Vector3{}, limit2, stop, nullptr);
     }
 
     void Accept()

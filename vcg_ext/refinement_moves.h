@@ -12,6 +12,7 @@
 
 #include "point_triangle.h"
 #include "refinement_backward.h"
+#include "refinement_equations.h"
 #include "refinement_parameters.h"
 #include "refinement_samples.h"
 #include "refinement_star.h"
@@ -32,32 +33,9 @@ struct State {
     float meanSquare = 0; ///< rms^2 before the first change
 };
 
-/// A squared step from here on comes from equations that have no solution.
-constexpr float kLargestSquaredStep = 1e30F;
-
 inline std::uint32_t EdgeHint(Corner corner)
 {
     return 3 * FaceOf(corner) + static_cast<std::uint32_t>(IndexOf(corner));
-}
-
-/// The step that solves \p equations + regularisation, or nothing where they are empty.
-inline std::optional<Vector3> SolveStep(const NormalEquations& e, float regularisation)
-{
-    const float trace = e.xx + e.yy + e.zz, added = trace * (regularisation / 3);
-    if (!(added > 0)) return std::nullopt;
-    const float inverse0 = 1 / (e.xx + added);
-    const float l1 = e.xy * inverse0, l2 = e.xz * inverse0;
-    const float pivot1 = std::max(e.yy + added - l1 * e.xy, added / 2);
-    const float mixed = e.yz - l2 * e.xy, l21 = mixed / pivot1;
-    const float pivot2 = std::max(e.zz + added - l2 * e.xz - l21 * mixed, added / 2);
-    const float z1 = e.right.y - l1 * e.right.x;
-    const float z2 = e.right.z - l2 * e.right.x - l21 * z1;
-    Vector3 step;
-    step.z = z2 / pivot2;
-    step.y = z1 / pivot1 - l21 * step.z;
-    step.x = e.right.x * inverse0 - l1 * step.y - l2 * step.z;
-    if (!(SquaredNorm(step) < kLargestSquaredStep)) return std::nullopt;
-    return step;
 }
 
 /// Moves one vertex to where the energy of its star is least, if that is allowed and worth it.
@@ -68,6 +46,7 @@ class VertexMover
     struct Trial {
         PreparedTriangle<float> triangle;
         std::uint32_t acrossNext, acrossPrevious; ///< the faces of the star beside it, kNone at a border
+        GroupRange samples;
     };
     struct Energy {
         double sum = 0;
@@ -79,7 +58,7 @@ class VertexMover
     Star star_;
     Scratch<Trial> trials_;
     SampleGroups groups_;
-    BackwardPoints points_, movedPoints_;
+    BackwardPoints points_;
     Scratch<std::pair<std::uint32_t, std::uint32_t>> byNext_; // (next vertex, face of the star)
 
   public:
@@ -94,8 +73,9 @@ class VertexMover
         if (summary.count < kFewestSamples || !(summary.weight > 0) || summary.energy < negligible)
             return false;
         Gather(v);
-        NormalEquations equations;
-        const Energy before = MeasureStar(v, equations);
+        EquationSums sums;
+        const Energy before = MeasureStar(v, sums);
+        const NormalEquations equations = sums.Total();
         const std::optional<Vector3> best = SolveStep(equations, p.regularisation);
         if (!best) return false;
         Vector3 step = Clipped(*best);
@@ -119,7 +99,7 @@ class VertexMover
         SampleSummary summary;
         const SurfaceArrays& surface = state_.simplified;
         for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
-            Summarise(state_.samples, FaceOf(*c), summary);
+            Add(state_.samples.faces[FaceOf(*c)], summary);
         return summary;
     }
     void Gather(std::uint32_t v)
@@ -130,7 +110,9 @@ class VertexMover
         groups_.Clear();
         for (std::size_t i = 0; i < star_.size(); ++i) {
             trials_[i].acrossNext = trials_[i].acrossPrevious = kNone;
+            trials_[i].samples.begin = groups_.size();
             CollectSamples(state_.samples, star_[i].face, static_cast<std::uint32_t>(i), origin, groups_);
+            trials_[i].samples.end = groups_.size();
         }
         if (star_.size() <= kQuadraticStar)
             LinkSmallStar();
@@ -162,20 +144,30 @@ class VertexMover
     }
 
     /// Energy where the vertex is, and the equations of the step from there.
-    Energy MeasureStar(std::uint32_t v, NormalEquations& equations)
+    Energy MeasureStar(std::uint32_t v, EquationSums& equations)
     {
         Energy energy;
         MeasureForward(energy, equations);
         CollectBackwardPoints(v);
         const float limit2 = state_.parameters.backwardOutlier * std::max(energy.forward2, state_.meanSquare);
-        const BackwardEnergy backward =
-            MeasureBackward(search_, points_, limit2, std::numeric_limits<double>::max(), &equations);
+        const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3{}, limit2,
+                                                        std::numeric_limits<double>::max(), &equations);
         energy.sum += backward.energy;
         energy.backward2 = backward.largest2;
         return energy;
     }
-    void MeasureForward(Energy& energy, NormalEquations& equations);
+    void MeasureForward(Energy& energy, EquationSums& equations);
     void CollectBackwardPoints(std::uint32_t v);
+    /// Of the edge from the vertex to the next one of face i; the faces on both sides share one.
+    Place& NextEdgeHint(std::size_t i)
+    {
+        std::uint32_t hint = EdgeHint(star_[i].corner);
+        if (const std::uint32_t across = trials_[i].acrossNext; across != kNone) {
+            const Corner other = star_[across].corner;
+            hint = std::min(hint, EdgeHint(MakeCorner(FaceOf(other), (IndexOf(other) + 2) % 3)));
+        }
+        return state_.edgeHints[hint];
+    }
 
     Vector3 Clipped(const Vector3& step) const
     {
@@ -191,13 +183,8 @@ class VertexMover
         if (!KeepsFaces(step)) return false;
         const float tolerable = state_.parameters.tolerableDistance;
         const float tolerable2 = tolerable * tolerable * state_.meanSquare;
-        movedPoints_.Resize(points_.size());
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            movedPoints_[i] = points_[i];
-            movedPoints_[i].position = points_[i].position + points_[i].leverage * step;
-        }
         const BackwardEnergy backward =
-            MeasureBackward(search_, movedPoints_, std::numeric_limits<float>::max(), allowed, nullptr);
+            MeasureBackward(search_, points_, step, std::numeric_limits<float>::max(), allowed, nullptr);
         if (backward.energy >= allowed || backward.largest2 > std::max(before.backward2, tolerable2))
             return false;
         return ForwardStaysBelow(step, allowed - backward.energy, std::max(before.forward2, tolerable2));
@@ -229,78 +216,49 @@ class VertexMover
     }
 };
 
-/// Sums of all lanes of the forward term, before they are added up.
-struct ForwardSums {
-    Float4 xx = Splat(0.0F), xy = xx, xz = xx, yy = xx, yz = xx, zz = xx, rx = xx, ry = xx, rz = xx;
-
-    void Add(const SampleGroup& group, const PreparedTriangle<float>& triangle)
-    {
+inline void VertexMover::MeasureForward(Energy& energy, EquationSums& equations)
+{
+    constexpr float kOnSurface2 = 1e-12F; // a sample this near to the surface has no direction of its own
+    Float4 sum = Splat(0.0F), largest = sum;
+    for (const SampleGroup& group : groups_) {
+        sum += group.weight * group.distance2;
+        largest = Max(largest, group.distance2);
+        const PreparedTriangle<float>& triangle = star_[group.owner].triangle;
         const FourClosestPoints closest = ClosestOnTriangle(group.point, triangle);
-        const Float4 wb = group.weight * closest.originWeight;
-        rx += wb * closest.difference.x;
-        ry += wb * closest.difference.y;
-        rz += wb * closest.difference.z;
         const Int4 alongNormal = closest.inside | (closest.distance2 < Splat(kOnSurface2));
         const Float4 inverse = 1.0F / Sqrt(Max(closest.distance2, Splat(kOnSurface2)));
         const FourPoints normal{Splat(triangle.nx), Splat(triangle.ny), Splat(triangle.nz)};
         const FourPoints direction{inverse * closest.difference.x, inverse * closest.difference.y,
                                    inverse * closest.difference.z};
-        const FourPoints n = Select(alongNormal, normal, direction);
-        const Float4 s = wb * closest.originWeight, sx = s * n.x, sy = s * n.y;
-        xx += sx * n.x;
-        xy += sx * n.y;
-        xz += sx * n.z;
-        yy += sy * n.y;
-        yz += sy * n.z;
-        zz += s * n.z * n.z;
-    }
-    NormalEquations Total() const
-    {
-        NormalEquations e;
-        e.xx = SumLanes(xx), e.xy = SumLanes(xy), e.xz = SumLanes(xz);
-        e.yy = SumLanes(yy), e.yz = SumLanes(yz), e.zz = SumLanes(zz);
-        e.right = {SumLanes(rx), SumLanes(ry), SumLanes(rz)};
-        return e;
-    }
-
-    /// A sample this near to the surface has no direction of its own.
-    static constexpr float kOnSurface2 = 1e-12F;
-};
-
-inline void VertexMover::MeasureForward(Energy& energy, NormalEquations& equations)
-{
-    ForwardSums sums;
-    Float4 sum = Splat(0.0F), largest = sum;
-    for (const SampleGroup& group : groups_) {
-        sum += group.weight * group.distance2;
-        largest = Max(largest, group.distance2);
-        sums.Add(group, star_[group.owner].triangle);
+        equations.Add(group.weight * closest.originWeight, closest.originWeight,
+                      Select(alongNormal, normal, direction), closest.difference);
     }
     energy.sum = static_cast<double>(SumLanes(sum));
     energy.forward2 = MaxLane(largest);
-    equations = sums.Total();
 }
 
 inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
 {
     const RefinementParameters& p = state_.parameters;
     const Vector3 origin = PositionOf(state_.simplified, v);
+    const GroupRange all{0, groups_.size()};
+    const auto add = [&](const Vector3& position, float weight, float leverage, const GroupRange& near,
+                         Place& hint) {
+        if (hint == kNone)
+            hint = NearestOrigin(state_.samples, groups_, near.begin < near.end ? near : all, position);
+        points_.Add(origin + position, p.backwardWeight * weight, leverage, &hint);
+    };
     points_.Clear();
     float area = 0;
     for (std::size_t i = 0; i < star_.size(); ++i) {
         const StarFace& s = star_[i];
-        const float faceArea = s.triangle.doubleArea / 2, weight = p.backwardWeight * faceArea;
+        const float faceArea = s.triangle.doubleArea / 2;
         area += faceArea;
-        Place& centroidHint = state_.centroidHints[s.face];
-        Place& edgeHint = state_.edgeHints[EdgeHint(s.corner)];
-        points_.Append() = {origin + (1.0F / 3) * (s.toNext + s.toPrevious), p.backwardCentroid * weight,
-                            1.0F / 3, &centroidHint};
-        points_.Append() = {origin + 0.5F * s.toNext, p.backwardEdge * weight, 0.5F, &edgeHint};
+        add((1.0F / 3) * (s.toNext + s.toPrevious), p.backwardCentroid * faceArea, 1.0F / 3,
+            trials_[i].samples, state_.centroidHints[s.face]);
+        add(0.5F * s.toNext, p.backwardEdge * faceArea, 0.5F, trials_[i].samples, NextEdgeHint(i));
     }
-    points_.Append() = {origin, p.backwardVertex * p.backwardWeight * area, 1, &state_.vertexHints[v]};
-    for (BackwardPoint& point : points_)
-        if (*point.hint == kNone)
-            *point.hint = NearestOrigin(state_.samples, groups_, point.position - origin);
+    add(Vector3{}, p.backwardVertex * area, 1, all, state_.vertexHints[v]);
 }
 
 /// Each sample on the face that held it and, unless it projects inside, on the two faces beside that.

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "buffer.h"
 #include "parallel.h"
 #include "refinement_parameters.h"
+#include "stable_scatter.h"
 #include "surface_arrays.h"
 #include "surface_corners.h"
 
@@ -50,11 +50,41 @@ inline Vector3 PositionOf(const Sample& sample)
     return {sample.x, sample.y, sample.z};
 }
 
-/// Samples and their lists.
+/// The samples of a face, summed up.
+struct SampleSummary {
+    std::uint32_t first = kNone; ///< of the list
+    std::uint32_t count = 0;
+    float weight = 0;
+    float energy = 0; ///< sum of weight x squared distance
+};
+
+/// Samples and their lists. Samples lie in memory in the order of the faces that they were first attached to.
 struct SampleLists {
     Buffer<Sample> samples;
-    Buffer<std::uint32_t> first; ///< of each face of the simplified surface
+    Buffer<SampleSummary> faces; ///< of the simplified surface
+
+    void Clear(std::uint32_t face) { faces[face] = SampleSummary{}; }
+    /// Puts sample \p i, whose distance is known, at the front of the list of \p face.
+    void Attach(std::uint32_t i, std::uint32_t face)
+    {
+        Sample& sample = samples[i];
+        SampleSummary& summary = faces[face];
+        sample.face = face;
+        sample.next = summary.first;
+        summary.first = i;
+        ++summary.count;
+        summary.weight += sample.weight;
+        summary.energy += sample.weight * sample.distance2;
+    }
 };
+
+/// The sums of several faces; the lists stay apart.
+inline void Add(const SampleSummary& face, SampleSummary& sum)
+{
+    sum.count += face.count;
+    sum.weight += face.weight;
+    sum.energy += face.energy;
+}
 
 /// Which samples are drawn: every vertex on a face, and every centroidStep-th face.
 struct SamplePlan {
@@ -98,9 +128,9 @@ class SampleDrawer
     SamplePlan plan_;
     std::size_t groups_;
     int threads_;
-    Buffer<float> area_;         // of the original's faces
-    Buffer<std::uint32_t> ends_; // of the groups in items_, shifted by one while they are filled
-    Buffer<std::uint32_t> items_;
+    Buffer<float> area_;               // of the original's faces
+    Buffer<std::uint32_t> items_;      // by group, ascending in each
+    std::vector<std::uint32_t> begin_; // of the groups in items_; the last one holds what has no group
 
   public:
     /// \param root a vertex of \p simplified for every vertex of \p original, kNone where there is none
@@ -114,17 +144,10 @@ class SampleDrawer
         GroupItems();
     }
 
-    std::size_t Count() const { return items_.size(); }
-    std::size_t GroupBegin(std::size_t group) const { return group == 0 ? 0 : ends_[group - 1]; }
-    std::size_t GroupEnd(std::size_t group) const { return ends_[group]; }
+    std::size_t Count() const { return begin_[groups_]; }
+    std::size_t GroupBegin(std::size_t group) const { return begin_[group]; }
+    std::size_t GroupEnd(std::size_t group) const { return begin_[group + 1]; }
 
-    /// Puts the items of a group in ascending order, whatever the threads that found them.
-    void SortGroup(std::size_t group)
-    {
-        std::uint32_t* begin = items_.data() + GroupBegin(group);
-        std::uint32_t* end = items_.data() + GroupEnd(group);
-        if (!std::is_sorted(begin, end)) std::sort(begin, end);
-    }
     /// The sample of one place in the groups, not yet attached to a face.
     Sample Draw(std::size_t slot) const
     {
@@ -159,34 +182,13 @@ class SampleDrawer
         const std::uint32_t root = root_[v];
         return root != kNone && simplified_.cornerCount[root] > 0 ? root : kNone;
     }
-    template <class Use>
-    void ForEachGroupedItem(const Use& use)
-    {
-        ParallelRanges(threads_, plan_.Items(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t item = begin; item < end; ++item) {
-                const std::uint32_t group = GroupOf(item);
-                if (group != kNone) use(static_cast<std::uint32_t>(item), group);
-            }
-        });
-    }
     void GroupItems()
     {
-        ends_.Allocate(groups_ + 1);
-        std::fill(ends_.begin(), ends_.end(), 0U);
-        std::uint32_t* counts = ends_.data() + 1;
-        ForEachGroupedItem([&](std::uint32_t, std::uint32_t group) {
-#pragma omp atomic
-            ++counts[group];
-        });
-        for (std::size_t group = 0; group < groups_; ++group) ends_[group + 1] += ends_[group];
-        items_.Allocate(ends_[groups_]);
-        std::uint32_t* next = ends_.data(); // each moves from the begin to the end of its group
-        ForEachGroupedItem([&](std::uint32_t item, std::uint32_t group) {
-            std::uint32_t slot = 0;
-#pragma omp atomic capture
-            slot = next[group]++;
-            items_[slot] = item;
-        });
+        items_.Allocate(plan_.Items());
+        begin_ = StableScatter(
+            threads_, plan_.Items(), groups_ + 1,
+            [&](std::size_t item) { return std::min<std::size_t>(GroupOf(item), groups_); },
+            [&](std::size_t item, std::size_t place) { items_[place] = static_cast<std::uint32_t>(item); });
     }
     Sample VertexSample(std::uint32_t v) const
     {

@@ -86,7 +86,7 @@ using SampleGroups = Scratch<SampleGroup>;
 inline void CollectSamples(const SampleLists& lists, std::uint32_t face, std::uint32_t owner,
                            const Vector3& origin, SampleGroups& groups)
 {
-    std::uint32_t next = lists.first[face];
+    std::uint32_t next = lists.faces[face].first;
     while (next != kNone) {
         SampleGroup& group = groups.Append();
         group.owner = owner;
@@ -113,12 +113,19 @@ inline void CollectSamples(const SampleLists& lists, std::uint32_t face, std::ui
     }
 }
 
-/// Where the sample nearest to \p p comes from. \pre there is a sample; p is seen from the groups' origin
-inline Place NearestOrigin(const SampleLists& lists, SampleGroups& groups, const Vector3& p)
+/// Consecutive groups.
+struct GroupRange {
+    std::size_t begin, end;
+};
+
+/// Where the sample of \p range nearest to \p p comes from. \pre the range is not empty; p is seen from the
+/// groups' origin
+inline Place NearestOrigin(const SampleLists& lists, const SampleGroups& groups, const GroupRange& range,
+                           const Vector3& p)
 {
     Float4 best = Splat(std::numeric_limits<float>::max());
     Int4 bestGroup = Splat(0);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
         const Float4 distance2 = SquaredNorm(Moved(groups[i].point, -1.0F * p));
         bestGroup = Select(distance2 < best, Splat(static_cast<std::int32_t>(i)), bestGroup);
         best = Min(distance2, best);
@@ -131,37 +138,18 @@ inline Place NearestOrigin(const SampleLists& lists, SampleGroups& groups, const
     return lists.samples[group.sample[lane]].origin;
 }
 
-/// Number, weight and energy of the samples of some faces.
-struct SampleSummary {
-    std::size_t count = 0;
-    float weight = 0;
-    float energy = 0;
-};
-inline void Summarise(const SampleLists& lists, std::uint32_t face, SampleSummary& summary)
-{
-    for (std::uint32_t i = lists.first[face]; i != kNone; i = lists.samples[i].next) {
-        const Sample& sample = lists.samples[i];
-        ++summary.count;
-        summary.weight += sample.weight;
-        summary.energy += sample.weight * sample.distance2;
-    }
-}
-
 /// Writes an accepted trial back: distances, owners and the lists of the collected faces.
 /// \param faceOf faceOf(owner) is the face of the simplified surface
 template <class FaceOfOwner>
 void StoreSamples(SampleLists& lists, SampleGroups& groups, std::size_t owners, const FaceOfOwner& faceOf)
 {
-    for (std::size_t owner = 0; owner < owners; ++owner) lists.first[faceOf(owner)] = kNone;
+    for (std::size_t owner = 0; owner < owners; ++owner) lists.Clear(faceOf(owner));
     for (std::size_t i = groups.size(); i-- > 0;) {
         const SampleGroup& group = groups[i];
         for (int lane = kLanes; lane-- > 0;) {
             if (group.sample[lane] == kNone) continue;
-            Sample& sample = lists.samples[group.sample[lane]];
-            sample.distance2 = group.newDistance2[lane];
-            sample.face = faceOf(static_cast<std::size_t>(group.newOwner[lane]));
-            sample.next = lists.first[sample.face];
-            lists.first[sample.face] = group.sample[lane];
+            lists.samples[group.sample[lane]].distance2 = group.newDistance2[lane];
+            lists.Attach(group.sample[lane], faceOf(static_cast<std::size_t>(group.newOwner[lane])));
         }
     }
 }

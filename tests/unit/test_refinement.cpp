@@ -278,7 +278,8 @@ void TestRefinement::everySampleKnowsItsFaceAndItsDistance()
         MoveVertices(state, 1);
         std::vector<int> listed(state.samples.samples.size(), 0);
         for (std::uint32_t f = 0; f < surface.FaceCount(); ++f) {
-            for (std::uint32_t i = state.samples.first[f]; i != kNone; i = state.samples.samples[i].next) {
+            for (std::uint32_t i = state.samples.faces[f].first; i != kNone;
+                 i = state.samples.samples[i].next) {
                 const Sample& sample = state.samples.samples[i];
                 QCOMPARE(sample.face, f);
                 ++listed[i];
