@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace vcg_ext
@@ -66,6 +67,15 @@ enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancell
 
 /// Called on the calling thread with 0..100 and what is being done; false asks the run to stop.
 using Progress = std::function<bool(int percent, const char* stage)>;
+
+/// \p progress with its 0..100 mapped to from..to; empty where it is.
+inline Progress ProgressPart(Progress progress, int from, int to)
+{
+    if (!progress) return {};
+    return [progress = std::move(progress), from, to](int percent, const char* stage) {
+        return progress(from + percent * (to - from) / 100, stage);
+    };
+}
 
 /// What a decimation does. The defaults are those of the filter.
 struct DecimationParameters {

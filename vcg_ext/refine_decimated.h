@@ -17,15 +17,6 @@
 namespace vcg_ext
 {
 
-/// \p progress with its 0..100 mapped to from..to; empty where it is.
-inline Progress ProgressPart(Progress progress, int from, int to)
-{
-    if (!progress) return {};
-    return [progress = std::move(progress), from, to](int percent, const char* stage) {
-        return progress(from + percent * (to - from) / 100, stage);
-    };
-}
-
 namespace refine_detail
 {
 
