@@ -16,11 +16,10 @@ using namespace test_meshes;
 namespace
 {
 
-/// The guided collapse that looks at every face around an edge before and after its collapse.
-template <class Mesh>
-class WatchedCollapse : public GuidedCollapse<Mesh>
+/// A collapse that looks at every face around an edge before and after.
+template <class Mesh, class Base>
+class WatchedCollapse : public Base
 {
-    using Base = GuidedCollapse<Mesh>;
     using VertexType = typename Mesh::VertexType;
     using FaceType = typename Mesh::FaceType;
     std::map<const FaceType*, vcg::Point3d> normals_;
@@ -107,6 +106,18 @@ class TestStrictDecimation : public QObject
     template <class Mesh>
     void runsInPlaceOn();
 
+    template <class Method>
+    static double smallestTurnCosine(const IndexedMesh& mesh, std::size_t target)
+    {
+        DoubleMesh work;
+        Fill(work, mesh);
+        vcg::tri::UpdateTopology<DoubleMesh>::VertexFace(work);
+        using Watched = WatchedCollapse<DoubleMesh, Method>;
+        Watched method(work, GuidedParameters());
+        CollapseRun<DoubleMesh, Watched>(work, method).Decimate(target, {});
+        return method.smallestCosine;
+    }
+
     static void addFamilies()
     {
         QTest::addColumn<IndexedMesh>("mesh");
@@ -135,6 +146,8 @@ class TestStrictDecimation : public QObject
     void rootsLeadToSurvivors();
     void twoRunsGiveTheSameBytes();
     void weightMovesFacesToFeatures();
+    void measuredOrderLowersTheError();
+    void measuredErrorIsTheDistanceOfTheSamples();
     void stopsWhenProgressSaysSo();
     void ignoresDegenerateFacesAndIsolatedVertices();
     void runsOnFloatMeshes() { runsInPlaceOn<FloatMesh>(); }
@@ -174,14 +187,10 @@ void TestStrictDecimation::turnsNoFaceByMoreThan78Degrees()
 {
     QFETCH(IndexedMesh, mesh);
     QFETCH(int, percent);
-    DoubleMesh work;
-    Fill(work, mesh);
-    vcg::tri::UpdateTopology<DoubleMesh>::VertexFace(work);
-    WatchedCollapse<DoubleMesh> method(work, GuidedParameters());
-    CollapseRun<DoubleMesh, WatchedCollapse<DoubleMesh>> run(work, method);
-    run.Decimate(std::max<std::size_t>(1, mesh.triangles.size() * static_cast<std::size_t>(percent) / 100),
-                 {});
-    QVERIFY(method.smallestCosine >= kSmallestTurnCosine - 1e-9);
+    const std::size_t target =
+        std::max<std::size_t>(1, mesh.triangles.size() * static_cast<std::size_t>(percent) / 100);
+    QVERIFY((smallestTurnCosine<GuidedCollapse<DoubleMesh>>(mesh, target) >= kSmallestTurnCosine - 1e-9));
+    QVERIFY((smallestTurnCosine<MeasuredCollapse<DoubleMesh>>(mesh, target) >= kSmallestTurnCosine - 1e-9));
 }
 
 void TestStrictDecimation::addsNoDefect()
@@ -190,13 +199,19 @@ void TestStrictDecimation::addsNoDefect()
     QFETCH(int, percent);
     const std::size_t target =
         std::max<std::size_t>(1, mesh.triangles.size() * static_cast<std::size_t>(percent) / 100);
-    const StrictDecimation decimation = Decimated(mesh, target);
-    const Defects before = FindDefects(mesh), after = FindDefects(ResultOf(decimation));
-    QVERIFY(after.nonManifoldEdges <= before.nonManifoldEdges);
-    QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
-    QCOMPARE(after.duplicateFaces, 0);
-    QCOMPARE(after.degenerateFaces, 0);
-    QCOMPARE(decimation.mesh.stopReason == StopReason::Target, decimation.mesh.triangles.size() <= target);
+    const Defects before = FindDefects(mesh);
+    for (const Effort effort : {Effort::Fast, Effort::Best}) {
+        DecimationParameters parameters;
+        parameters.effort = effort;
+        const StrictDecimation decimation = Decimated(mesh, target, parameters);
+        const Defects after = FindDefects(ResultOf(decimation));
+        QVERIFY(after.nonManifoldEdges <= before.nonManifoldEdges);
+        QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
+        QCOMPARE(after.duplicateFaces, 0);
+        QCOMPARE(after.degenerateFaces, 0);
+        QCOMPARE(decimation.mesh.stopReason == StopReason::Target,
+                 decimation.mesh.triangles.size() <= target);
+    }
 }
 
 void TestStrictDecimation::linkConditionKeepsTheTopology()
@@ -356,6 +371,58 @@ void TestStrictDecimation::weightMovesFacesToFeatures()
     QVERIFY(plain < .6);
     QVERIFY(guided > plain + .05);
     QVERIFY(strong > guided + .05);
+}
+
+void TestStrictDecimation::measuredOrderLowersTheError()
+{
+    // Root mean square height of a rippled sheet's vertices over the result, seen along z.
+    IndexedMesh sheet = Grid(50, 50, .1);
+    for (Point& p : sheet.points) p[2] = .2 * std::sin(3 * p[0]) * std::cos(2 * p[1] + p[0]);
+    const auto error = [&](Effort effort) {
+        DecimationParameters parameters;
+        parameters.effort = effort;
+        const IndexedMesh result = ResultOf(Decimated(sheet, 500, parameters));
+        double sum = 0;
+        for (const Point& p : sheet.points) {
+            double nearest = 1;
+            for (const Triangle& t : result.triangles) {
+                const auto corner = [&](std::size_t k) {
+                    const Point& q = result.points[t[k]];
+                    return Vector3{float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
+                };
+                const Vector3 a = corner(0);
+                nearest = std::min(
+                    nearest,
+                    double(ClosestOnTriangle(Vector3{} - a, corner(1) - a, corner(2) - a).distance2));
+            }
+            sum += nearest;
+        }
+        return std::sqrt(sum / double(sheet.points.size()));
+    };
+    const double guided = error(Effort::Fast), measured = error(Effort::Best);
+    QVERIFY2(measured < guided, qPrintable(QString("%1 instead of %2").arg(measured).arg(guided)));
+}
+
+void TestStrictDecimation::measuredErrorIsTheDistanceOfTheSamples()
+{
+    // A square of four triangles whose middle goes up by .5: the samples around know how far.
+    const vcg::Point3d corners[] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, middle(0, 0, 0);
+    MeasuredSamples samples(4);
+    std::vector<StarFace> faces;
+    for (std::uint32_t f = 0; f < 4; ++f) {
+        samples.AddCentroid(f, middle, corners[f], corners[(f + 1) % 4], 1);
+        faces.push_back({corners[f], corners[(f + 1) % 4], {0, 0, 2}, 2, f});
+    }
+    samples.AddVertex(0, middle, 4);
+    const vcg::Point3d up(0, 0, .5);
+    samples.Gather({0, 1, 2, 3}, up);
+    // The middle and the centroids, two thirds inwards, see planes that rise .5 over a length of 1.
+    const double cosine2 = 1 / (1 + .25);
+    const double expected = (.4 * 4 * .25 + .6 * 4 * (.25 / 9)) * cosine2;
+    QVERIFY(std::abs(samples.ChangeOfError(faces, up) - expected) < 1e-5 * expected);
+    samples.Attach({0, 1, 2, 3}, faces);
+    samples.Gather({0, 1, 2, 3}, middle);
+    QVERIFY(std::abs(samples.ChangeOfError(faces, middle) + expected) < 1e-5 * expected);
 }
 
 void TestStrictDecimation::stopsWhenProgressSaysSo()
