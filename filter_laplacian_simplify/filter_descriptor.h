@@ -29,8 +29,8 @@ struct Statistics {
     double lowestTenth, highestTenth; ///< a tenth of the values lies below, above
 };
 
-/// \pre not empty
-inline Statistics Describe(std::vector<double> values)
+/// \param withTenths fills the last two \pre not empty
+inline Statistics Describe(std::vector<double> values, bool withTenths)
 {
     Statistics statistics{};
     statistics.count = values.size();
@@ -48,8 +48,10 @@ inline Statistics Describe(std::vector<double> values)
     };
     statistics.maximum = *std::max_element(values.begin(), values.end());
     statistics.percentile99_9 = percentile(0.999);
-    statistics.highestTenth = percentile(0.9);
-    statistics.lowestTenth = percentile(0.1);
+    if (withTenths) {
+        statistics.highestTenth = percentile(0.9);
+        statistics.lowestTenth = percentile(0.1);
+    }
     statistics.minimum = *std::min_element(values.begin(), end);
     return statistics;
 }
@@ -85,7 +87,7 @@ Report ApplyShapeDescriptor(Host& host, const Values& values)
     changed.reserve(descriptor.size());
     for (std::size_t v = 0; v < descriptor.size(); ++v)
         if (inScope[v]) changed.push_back(descriptor[v]);
-    const Statistics statistics = Describe(std::move(changed));
+    const Statistics statistics = Describe(std::move(changed), colorize);
     if (!host.Progress(90, "Laplacian shape descriptor")) throw Cancelled();
 
     host.Require(colorize ? kVertexQuality | kVertexColor : kVertexQuality);

@@ -22,7 +22,8 @@ namespace laplacian_simplify
 template <class Host>
 Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
 {
-    const Values values(filter, FactsOf(host.Mesh()), given);
+    const Values values(
+        filter, [&] { return FactsOf(host.Mesh()); }, given);
     RequireUsable(host.Mesh());
     switch (filter) {
     case FilterId::ShapeDescriptor:

@@ -18,7 +18,7 @@ class CalmProgress
     static constexpr std::chrono::milliseconds kPause{100};
 
     vcg_ext::Progress host_;
-    Clock::time_point last_ = Clock::now(); // the first call waits too: short runs need no progress
+    Clock::time_point last_{}; // long ago, so the first call is passed on
     bool goOn_ = true;
 
   public:

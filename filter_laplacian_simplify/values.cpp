@@ -32,12 +32,13 @@ void Check(const Parameter& parameter, const GivenValue& value)
         throw std::invalid_argument(Sentence(parameter, NumberText(number), "not a whole number in"));
 }
 
-Values::Values(FilterId filter, const MeshFacts& facts, const GivenValues& given)
+Values::Values(FilterId filter, const std::function<MeshFacts()>& facts, const GivenValues& given)
 {
     for (const Parameter* parameter : ParametersOf(filter)) {
-        const GivenValue value = given(*parameter).value_or(parameter->Default(facts));
-        Check(*parameter, value);
-        entries_.push_back({parameter, std::get<double>(value)});
+        std::optional<GivenValue> value = given(*parameter);
+        if (!value) value = parameter->Default(parameter->defaultValue.onMesh ? facts() : MeshFacts{});
+        Check(*parameter, *value);
+        entries_.push_back({parameter, std::get<double>(*value)});
     }
 }
 

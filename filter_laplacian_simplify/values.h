@@ -37,8 +37,9 @@ class Values
     double Find(std::string_view id) const;
 
   public:
+    /// \param facts asked for only where a default depends on the mesh and the host has no value
     /// \throws std::invalid_argument as Check, for the first value that is out of range
-    Values(FilterId filter, const MeshFacts& facts, const GivenValues& given);
+    Values(FilterId filter, const std::function<MeshFacts()>& facts, const GivenValues& given);
 
     bool Boolean(std::string_view id) const { return Find(id) != 0; }
     int Integer(std::string_view id) const { return static_cast<int>(Find(id)); }

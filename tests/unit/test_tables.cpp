@@ -8,10 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include <QDir>
 #include <QFile>
 #include <QRegularExpression>
-#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "filters.h"
@@ -55,53 +53,6 @@ const Parameter& Find(FilterId filter, const char* id)
     throw std::logic_error(id);
 }
 
-const QString kScripts = QString(SAMPLE_MESHES_DIR) + "/../tests/hosts/scripts";
-
-/// One step of an .mlx script: the filter and "type id" of its parameters.
-struct ScriptFilter {
-    QString name;
-    QStringList parameters;
-};
-
-std::vector<ScriptFilter> ReadScript(const QString& name)
-{
-    QFile file(kScripts + "/" + name);
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    std::vector<ScriptFilter> filters;
-    for (QXmlStreamReader xml(&file); !xml.atEnd();) {
-        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-        const auto attributes = xml.attributes();
-        if (xml.name() == QLatin1String("filter"))
-            filters.push_back({attributes.value("name").toString(), {}});
-        if (xml.name() == QLatin1String("Param"))
-            filters.back().parameters
-                << attributes.value("type").toString() + " " + attributes.value("name").toString();
-    }
-    return filters;
-}
-
-const Filter* FindByName(const QString& name)
-{
-    for (const Filter& filter : Filters())
-        if (name == filter.name) return &filter;
-    return nullptr;
-}
-
-const char* RichType(ParameterType type)
-{
-    switch (type) {
-    case ParameterType::Boolean:
-        return "RichBool";
-    case ParameterType::Integer:
-        return "RichInt";
-    case ParameterType::Real:
-        return "RichFloat";
-    case ParameterType::Choice:
-        return "RichEnum";
-    }
-    return "";
-}
-
 } // namespace
 
 class TestTables : public QObject
@@ -141,9 +92,6 @@ class TestTables : public QObject
     void numbersAreWrittenWithoutLocale();
     void floatsBecomeTheDecimalThatWasTyped();
     void committedPageIsUpToDate();
-    void scriptsOfTheHostTestsListEveryParameter_data();
-    void scriptsOfTheHostTestsListEveryParameter();
-    void everyFilterHasAScript();
 };
 
 void TestTables::filtersStandAtThePlaceOfTheirId()
@@ -363,8 +311,12 @@ void TestTables::limitsOfTheRangeAreAccepted()
 
 void TestTables::missingValuesAreTheDefaultOfTheMesh()
 {
-    const Values values(FilterId::GuidedDecimation, {1000, 100},
-                        [](const Parameter&) { return std::nullopt; });
+    const Values values(
+        FilterId::GuidedDecimation,
+        [] {
+            return MeshFacts{1000, 100};
+        },
+        [](const Parameter&) { return std::nullopt; });
     QCOMPARE(values.Integer("target_faces"), 50);
     QCOMPARE(values.Boolean("selected_only"), true);
     QCOMPARE(values.Real("feature_weight"), 2.0);
@@ -377,8 +329,10 @@ void TestTables::aBadValueIsFoundAmongGoodOnes()
         if (qstrcmp(row.id, "threads") == 0) return -1.0;
         return std::nullopt;
     };
-    QVERIFY_EXCEPTION_THROWN(Values(FilterId::GuidedDecimation, {}, given), std::invalid_argument);
-    Values(FilterId::ShapeDescriptor, {}, given); // has no such parameter
+    const auto noMesh = [] { return MeshFacts{}; };
+    QVERIFY_EXCEPTION_THROWN(Values(FilterId::GuidedDecimation, noMesh, given), std::invalid_argument);
+    const Values fine(FilterId::ShapeDescriptor, noMesh, given); // has no such parameter
+    QCOMPARE(fine.Integer("descriptor"), 0);
 }
 
 void TestTables::numbersAreWrittenWithoutLocale()
@@ -404,36 +358,6 @@ void TestTables::committedPageIsUpToDate()
     QVERIFY2(page.open(QIODevice::ReadOnly), qPrintable(page.fileName()));
     QVERIFY2(page.readAll() == QByteArray::fromStdString(FiltersPage()),
              "docs/filters.md differs from the tables: run scripts/write-filters-page");
-}
-
-void TestTables::scriptsOfTheHostTestsListEveryParameter_data()
-{
-    QTest::addColumn<QString>("script");
-    for (const QString& name : QDir(kScripts).entryList({"*.mlx"}))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-/// MeshLab 2020.09 stops on a script that does not.
-void TestTables::scriptsOfTheHostTestsListEveryParameter()
-{
-    QFETCH(QString, script);
-    for (const ScriptFilter& used : ReadScript(script)) {
-        const Filter* filter = FindByName(used.name);
-        QVERIFY2(filter, qPrintable(used.name));
-        QStringList expected;
-        for (const Parameter* row : ParametersOf(filter->id))
-            expected << QString(RichType(row->type)) + " " + row->id;
-        QCOMPARE(used.parameters, expected);
-    }
-}
-
-void TestTables::everyFilterHasAScript()
-{
-    for (const Filter& filter : Filters()) {
-        const auto used = ReadScript(QString(filter.key) + ".mlx");
-        QCOMPARE(used.size(), std::size_t{1});
-        QCOMPARE(used.front().name, QString(filter.name));
-    }
 }
 
 QTEST_APPLESS_MAIN(TestTables)

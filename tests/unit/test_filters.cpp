@@ -1,0 +1,444 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The filters on a host of the test's own, which can do what real hosts cannot be made to do: stop a run.
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <QtTest>
+
+#include <vcg/complex/complex.h>
+#include <vcg/complex/append.h>
+#include <vcg/complex/algorithms/update/bounding.h>
+#include <vcg/complex/algorithms/update/normal.h>
+
+#include "test_meshes.h"
+#include "filter_functions.h"
+
+using namespace laplacian_simplify;
+
+Q_DECLARE_METATYPE(laplacian_simplify::FilterId)
+
+namespace
+{
+
+class PlainVertex;
+class PlainFace;
+struct PlainTypes : vcg::UsedTypes<vcg::Use<PlainVertex>::AsVertexType, vcg::Use<PlainFace>::AsFaceType> {
+};
+class PlainVertex : public vcg::Vertex<PlainTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
+                                       vcg::vertex::Qualityf, vcg::vertex::Color4b, vcg::vertex::BitFlags>
+{
+};
+class PlainFace : public vcg::Face<PlainTypes, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags>
+{
+};
+class PlainMesh : public vcg::tri::TriMesh<std::vector<PlainVertex>, std::vector<PlainFace>>
+{
+};
+
+/// The smallest program that filters can run in.
+class PlainHost
+{
+    std::vector<std::unique_ptr<PlainMesh>> layers_;
+
+  public:
+    using MeshType = PlainMesh;
+
+    std::vector<std::string> log;
+    int progressCalls = 0;
+    int stopAtCall = 0; ///< 0: never
+    int geometryChanges = 0;
+
+    explicit PlainHost(const test_meshes::IndexedMesh& mesh)
+    {
+        layers_.push_back(std::make_unique<PlainMesh>());
+        test_meshes::Fill(Mesh(), mesh);
+        GeometryChanged();
+        geometryChanges = 0;
+    }
+
+    PlainMesh& Mesh() { return *layers_.back(); }
+    PlainMesh& Original() { return *layers_.front(); }
+    std::size_t Layers() const { return layers_.size(); }
+    void Require(std::uint32_t) {}
+    void ContinueOnCopy()
+    {
+        auto copy = std::make_unique<PlainMesh>();
+        vcg::tri::Append<PlainMesh, PlainMesh>::MeshCopy(*copy, Mesh());
+        layers_.push_back(std::move(copy));
+    }
+    void GeometryChanged()
+    {
+        ++geometryChanges;
+        vcg::tri::UpdateBounding<PlainMesh>::Box(Mesh());
+        vcg::tri::UpdateNormal<PlainMesh>::PerVertexNormalizedPerFaceNormalized(Mesh());
+    }
+    void Log(const std::string& line) { log.push_back(line); }
+    bool Progress(int, const char*) { return ++progressCalls != stopAtCall; }
+
+    Report Apply(FilterId filter, const std::map<std::string, GivenValue>& values = {})
+    {
+        return ApplyFilter(filter, *this, [&](const Parameter& row) -> std::optional<GivenValue> {
+            const auto found = values.find(row.id);
+            if (found == values.end()) return std::nullopt;
+            return found->second;
+        });
+    }
+};
+
+/// Everything that a user could miss.
+std::vector<double> Fingerprint(const PlainMesh& mesh)
+{
+    std::vector<double> all;
+    for (const auto& v : mesh.vert) {
+        all.push_back(v.IsD());
+        if (v.IsD()) continue;
+        for (int k = 0; k < 3; ++k) all.push_back(static_cast<double>(v.P()[k]));
+        for (int k = 0; k < 4; ++k) all.push_back(v.C()[k]);
+        all.push_back(static_cast<double>(v.Q()));
+        all.push_back(v.IsS());
+    }
+    for (const auto& face : mesh.face) {
+        all.push_back(face.IsD());
+        if (face.IsD()) continue;
+        for (int k = 0; k < 3; ++k) all.push_back(static_cast<double>(vcg::tri::Index(mesh, face.V(k))));
+        all.push_back(face.IsS());
+    }
+    return all;
+}
+
+template <class T>
+T Get(const Report& report, const std::string& id)
+{
+    for (const auto& [key, value] : report.Entries())
+        if (key == id) return std::get<T>(value);
+    throw std::logic_error("no result " + id);
+}
+
+QString FailureOf(PlainHost& host, FilterId filter, const std::map<std::string, GivenValue>& values = {})
+{
+    try {
+        host.Apply(filter, values);
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// The faces whose centroid has a positive x.
+void SelectHalf(PlainMesh& mesh)
+{
+    for (auto& face : mesh.face)
+        if (face.P(0)[0] + face.P(1)[0] + face.P(2)[0] > 0) face.SetS();
+}
+
+std::size_t CountSelectedFaces(const PlainMesh& mesh)
+{
+    return FactsOf(mesh).selectedFaces;
+}
+
+} // namespace
+
+class TestFilters : public QObject
+{
+    Q_OBJECT
+
+    static void EveryFilter()
+    {
+        QTest::addColumn<FilterId>("filter");
+        for (const Filter& filter : Filters()) QTest::addRow("%s", filter.key) << filter.id;
+    }
+
+  private slots:
+    void returnsExactlyTheResultsOfItsTable_data() { EveryFilter(); }
+    void returnsExactlyTheResultsOfItsTable();
+    void logLinesAreShort_data() { EveryFilter(); }
+    void logLinesAreShort();
+    void badParameterLeavesTheMeshAsItWas_data() { EveryFilter(); }
+    void badParameterLeavesTheMeshAsItWas();
+    void meshWithoutFacesIsRefused_data() { EveryFilter(); }
+    void meshWithoutFacesIsRefused();
+    void coordinatesThatAreNoNumbersAreRefusedWithTheirCount_data() { EveryFilter(); }
+    void coordinatesThatAreNoNumbersAreRefusedWithTheirCount();
+    void selectionIsAskedForWhereThereIsNone_data() { EveryFilter(); }
+    void selectionIsAskedForWhereThereIsNone();
+    void stoppedRunLeavesTheMeshAsItWas_data() { EveryFilter(); }
+    void stoppedRunLeavesTheMeshAsItWas();
+    void deletedElementsAreNotThere_data() { EveryFilter(); }
+    void deletedElementsAreNotThere();
+    void stoppedDecimationSaysSo();
+    void progressIsCalm();
+    void descriptorChangesOnlyTheSelection();
+    void selectionOfFacesSurvivesTheSelectionOfVertices();
+    void decimationKeepsWhatIsNotSelected();
+    void targetPercentIsOfTheSelection();
+    void targetAboveTheFacesChangesNothing();
+    void newLayerKeepsTheOriginal();
+    void newLayerOfAMeshWithDeletedVertices();
+    void smoothingMovesOnlyTheSelection();
+    void qualityThatIsNoNumberIsRefused();
+};
+
+void TestFilters::returnsExactlyTheResultsOfItsTable()
+{
+    QFETCH(FilterId, filter);
+    PlainHost host(test_meshes::Box(4));
+    QStringList expected, returned;
+    for (const Result* row : ResultsOf(filter)) expected << row->id;
+    const Report report = host.Apply(filter);
+    for (const auto& entry : report.Entries()) returned << QString::fromStdString(entry.first);
+    QCOMPARE(returned, expected);
+}
+
+void TestFilters::logLinesAreShort()
+{
+    QFETCH(FilterId, filter);
+    PlainHost host(test_meshes::Box(4));
+    host.Apply(filter);
+    QVERIFY(!host.log.empty());
+    for (const std::string& line : host.log) {
+        QVERIFY2(line.size() < 400, line.c_str());
+        QVERIFY2(line.find('\n') == std::string::npos, line.c_str());
+    }
+}
+
+void TestFilters::badParameterLeavesTheMeshAsItWas()
+{
+    QFETCH(FilterId, filter);
+    for (const Parameter* row : ParametersOf(filter)) {
+        PlainHost host(test_meshes::Box(4));
+        const auto before = Fingerprint(host.Mesh());
+        const QString failure = FailureOf(host, filter, {{row->id, row->range.maximum + 1}});
+        QVERIFY2(failure.startsWith(QString(row->id) + " = "), qPrintable(failure));
+        QVERIFY(Fingerprint(host.Mesh()) == before);
+        QCOMPARE(host.geometryChanges, 0);
+    }
+}
+
+void TestFilters::meshWithoutFacesIsRefused()
+{
+    QFETCH(FilterId, filter);
+    test_meshes::IndexedMesh cloud = test_meshes::Box(1);
+    cloud.triangles.clear();
+    PlainHost host(cloud);
+    QCOMPARE(FailureOf(host, filter), "the mesh has no faces (8 vertices)");
+    PlainHost empty(test_meshes::IndexedMesh{});
+    QCOMPARE(FailureOf(empty, filter), "the mesh has no faces (0 vertices)");
+}
+
+void TestFilters::coordinatesThatAreNoNumbersAreRefusedWithTheirCount()
+{
+    QFETCH(FilterId, filter);
+    PlainHost host(test_meshes::Box(4));
+    host.Mesh().vert[3].P()[1] = std::numeric_limits<float>::quiet_NaN();
+    host.Mesh().vert[5].P()[0] = std::numeric_limits<float>::infinity();
+    host.Mesh().vert[7].P()[2] = 1e30F;
+    QCOMPARE(FailureOf(host, filter), "the mesh is unusable: 3 of 98 vertices have coordinates that are not "
+                                      "finite numbers up to 1e18");
+}
+
+void TestFilters::selectionIsAskedForWhereThereIsNone()
+{
+    QFETCH(FilterId, filter);
+    if (filter == FilterId::FeatureSelection) return; // works on all of the mesh
+    PlainHost host(test_meshes::Box(4));
+    const QString failure = FailureOf(host, filter, {{"selected_only", 1.0}});
+    QVERIFY2(failure.startsWith("selected_only = true, but no"), qPrintable(failure));
+}
+
+void TestFilters::stoppedRunLeavesTheMeshAsItWas()
+{
+    QFETCH(FilterId, filter);
+    PlainHost host(test_meshes::Icosphere(3));
+    SelectHalf(host.Mesh());
+    const auto before = Fingerprint(host.Mesh());
+    host.stopAtCall = 1;
+    const QString failure = FailureOf(host, filter);
+    QVERIFY(host.progressCalls > 0);
+    QVERIFY(Fingerprint(host.Mesh()) == before);
+    QCOMPARE(host.Layers(), std::size_t{1});
+    const QString said = failure.isEmpty() ? QString::fromStdString(host.log.back()) : failure;
+    QCOMPARE(said, "cancelled; the mesh is unchanged");
+}
+
+void TestFilters::deletedElementsAreNotThere()
+{
+    QFETCH(FilterId, filter);
+    PlainHost host(
+        test_meshes::Merged(test_meshes::Icosphere(2), test_meshes::Noisy(test_meshes::Box(3), .01)));
+    PlainMesh& mesh = host.Mesh();
+    const std::size_t sphere = test_meshes::Icosphere(2).points.size();
+    for (auto& face : mesh.face)
+        if (vcg::tri::Index(mesh, face.V(0)) < sphere) vcg::tri::Allocator<PlainMesh>::DeleteFace(mesh, face);
+    for (std::size_t v = 0; v < sphere; ++v) {
+        mesh.vert[v].P()[0] = std::numeric_limits<float>::quiet_NaN();
+        vcg::tri::Allocator<PlainMesh>::DeleteVertex(mesh, mesh.vert[v]);
+    }
+    PlainHost clean(test_meshes::Noisy(test_meshes::Box(3), .01));
+    const Report expected = clean.Apply(filter), report = host.Apply(filter);
+    QCOMPARE(report.Entries().size(), expected.Entries().size());
+    for (std::size_t i = 0; i < report.Entries().size(); ++i) {
+        const auto& [id, value] = report.Entries()[i];
+        if (id != "seconds") QVERIFY2(value == expected.Entries()[i].second, id.c_str());
+    }
+}
+
+void TestFilters::stoppedDecimationSaysSo()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    host.stopAtCall = 1;
+    const Report report = host.Apply(FilterId::GuidedDecimation);
+    QCOMPARE(Get<int>(report, "stop_reason"), 3);
+    QCOMPARE(Get<bool>(report, "target_reached"), false);
+    QCOMPARE(Get<int>(report, "faces"), 1280);
+    QCOMPARE(Get<int>(report, "vertices"), 642);
+}
+
+void TestFilters::progressIsCalm()
+{
+    int calls = 0;
+    CalmProgress progress([&](int, const char*) { return ++calls < 2; });
+    for (int i = 0; i < 1000; ++i) QVERIFY(progress(i / 10, "at once"));
+    QCOMPARE(calls, 1);
+    QTest::qSleep(110);
+    QVERIFY(!progress(100, "later"));
+    QVERIFY2(!progress(100, "after the stop"), "a stop is final, and the host is not asked again");
+    QCOMPARE(calls, 2);
+}
+
+void TestFilters::descriptorChangesOnlyTheSelection()
+{
+    PlainHost host(test_meshes::Box(4));
+    for (auto& v : host.Mesh().vert) v.Q() = -7;
+    host.Mesh().vert[0].SetS();
+    host.Mesh().vert[9].SetS();
+    host.Apply(FilterId::ShapeDescriptor, {{"selected_only", 1.0}});
+    for (std::size_t v = 0; v < host.Mesh().vert.size(); ++v)
+        QCOMPARE(host.Mesh().vert[v].Q() == -7, v != 0 && v != 9);
+}
+
+void TestFilters::selectionOfFacesSurvivesTheSelectionOfVertices()
+{
+    PlainHost host(test_meshes::Noisy(test_meshes::Box(6), .005));
+    SelectHalf(host.Mesh());
+    const std::size_t faces = CountSelectedFaces(host.Mesh());
+    for (auto& v : host.Mesh().vert) v.SetS();
+    const Report report = host.Apply(FilterId::FeatureSelection);
+    QCOMPARE(CountSelectedFaces(host.Mesh()), faces);
+    int selected = 0;
+    for (const auto& v : host.Mesh().vert) selected += v.IsS();
+    QCOMPARE(selected, Get<int>(report, "selected"));
+    QVERIFY2(selected > 0 && selected < host.Mesh().vn, "the former selection is replaced");
+}
+
+void TestFilters::decimationKeepsWhatIsNotSelected()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    SelectHalf(host.Mesh());
+    std::set<std::vector<float>> kept;
+    const auto corners = [](const PlainFace& face) {
+        std::vector<float> all;
+        for (int k = 0; k < 3; ++k)
+            for (int c = 0; c < 3; ++c) all.push_back(face.cP(k)[c]);
+        return all;
+    };
+    for (const auto& face : host.Mesh().face)
+        if (!face.IsS()) kept.insert(corners(face));
+    host.Apply(FilterId::GuidedDecimation, {{"target_percent", 30.0}});
+    std::size_t found = 0;
+    for (const auto& face : host.Mesh().face) found += !face.IsS() && kept.count(corners(face)) > 0;
+    QCOMPARE(found, kept.size());
+}
+
+void TestFilters::targetPercentIsOfTheSelection()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    SelectHalf(host.Mesh());
+    const std::size_t selected = CountSelectedFaces(host.Mesh());
+    const Report report = host.Apply(FilterId::GuidedDecimation, {{"target_percent", 50.0}});
+    QVERIFY(Get<bool>(report, "target_reached"));
+    const double left = static_cast<double>(CountSelectedFaces(host.Mesh()));
+    QVERIFY(std::abs(left - static_cast<double>(selected) / 2) <= 2);
+    QCOMPARE(Get<int>(report, "faces"), host.Mesh().fn);
+}
+
+void TestFilters::targetAboveTheFacesChangesNothing()
+{
+    PlainHost host(test_meshes::Icosphere(2));
+    const auto before = Fingerprint(host.Mesh());
+    const Report report = host.Apply(FilterId::GuidedDecimation, {{"target_faces", 1000.0}});
+    QVERIFY(Fingerprint(host.Mesh()) == before);
+    QVERIFY(Get<bool>(report, "target_reached"));
+    QCOMPARE(Get<double>(report, "hausdorff"), 0.0);
+    QCOMPARE(Get<int>(report, "boundary_edges"), 0);
+}
+
+void TestFilters::newLayerKeepsTheOriginal()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    const auto before = Fingerprint(host.Mesh());
+    const Report report =
+        host.Apply(FilterId::GuidedDecimation, {{"target_percent", 20.0}, {"new_layer", 1.0}});
+    QCOMPARE(host.Layers(), std::size_t{2});
+    QVERIFY(Fingerprint(host.Original()) == before);
+    QCOMPARE(host.Mesh().fn, Get<int>(report, "faces"));
+    QCOMPARE(host.Mesh().vn, Get<int>(report, "vertices"));
+}
+
+void TestFilters::newLayerOfAMeshWithDeletedVertices()
+{
+    PlainHost plain(test_meshes::Icosphere(3)), holes(test_meshes::Icosphere(3));
+    auto vertex = vcg::tri::Allocator<PlainMesh>::AddVertices(holes.Mesh(), 1);
+    std::swap(holes.Mesh().vert.front().P(), vertex->P()); // vertex 0 goes to the end
+    for (auto& face : holes.Mesh().face)
+        for (int k = 0; k < 3; ++k)
+            if (face.V(k) == &holes.Mesh().vert.front()) face.V(k) = &*vertex;
+    vcg::tri::Allocator<PlainMesh>::DeleteVertex(holes.Mesh(), holes.Mesh().vert.front());
+    const std::map<std::string, GivenValue> values = {{"target_percent", 20.0}, {"new_layer", 1.0}};
+    holes.Apply(FilterId::GuidedDecimation, values);
+    plain.Apply(FilterId::GuidedDecimation, values);
+    QCOMPARE(holes.Mesh().fn, plain.Mesh().fn);
+    for (const auto& v : holes.Mesh().vert) // a wrong vertex would be far from the sphere or torn off
+        QVERIFY(std::abs(v.P().Norm() - 1) < 0.05F);
+    for (const auto& face : holes.Mesh().face) QVERIFY(vcg::DoubleArea(face) < 1);
+}
+
+void TestFilters::smoothingMovesOnlyTheSelection()
+{
+    PlainHost host(test_meshes::Noisy(test_meshes::Icosphere(3), .02));
+    for (std::size_t f = 0; f < 10; ++f) host.Mesh().face[f].SetS();
+    std::vector<PlainMesh::CoordType> before;
+    for (const auto& v : host.Mesh().vert) before.push_back(v.P());
+    const auto inScope = VerticesInScope(host.Mesh(), true);
+    const Report report = host.Apply(FilterId::UmbrellaSmooth);
+    int moved = 0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+        const bool differs = host.Mesh().vert[v].P() != before[v];
+        QVERIFY(inScope[v] || !differs);
+        moved += differs;
+    }
+    QVERIFY(moved > 0);
+    QCOMPARE(Get<int>(report, "moved"), moved);
+}
+
+void TestFilters::qualityThatIsNoNumberIsRefused()
+{
+    PlainHost host(test_meshes::Box(4));
+    host.Mesh().vert[2].Q() = std::numeric_limits<float>::quiet_NaN();
+    for (const FilterId filter :
+         {FilterId::FeatureSelection, FilterId::GuidedDecimation, FilterId::WeightedDecimation})
+        QCOMPARE(FailureOf(host, filter, {{"descriptor", 5.0}}),
+                 "descriptor = vertex quality: 1 of 98 vertices have a quality that is not finite");
+}
+
+QTEST_APPLESS_MAIN(TestFilters)
+#include "test_filters.moc"
