@@ -146,6 +146,7 @@ class StarSumPass
     }
 };
 
+/// LaplacianDescriptor of a mesh of triangles, on exactly so many threads.
 template <class Scalar>
 std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads)
 {
@@ -186,11 +187,11 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads)
 /// The Laplacian descriptor (Eq. 5) of every vertex, 0 where it has no faces; within float rounding the same
 /// as OneRingDescriptor<LaplacianFold>, several times faster: one pass over the faces counts every neighbour
 /// twice; the few vertices where that is not so (borders, non-manifold edges) are done again by their rings.
-/// \pre as OneRings
+/// \param threads 0: all \pre as OneRings
 inline std::vector<double> LaplacianDescriptor(const MeshView& mesh, int threads = 1)
 {
     if (mesh.fauxEdges != nullptr) return OneRingDescriptor<LaplacianFold>(mesh, threads);
-    threads = ResolveThreads(threads);
+    threads = ThreadsThatPay(threads, mesh.faceCount);
     return mesh.doublePositions ? LaplacianDescriptorOf<double>(mesh, threads)
                                 : LaplacianDescriptorOf<float>(mesh, threads);
 }

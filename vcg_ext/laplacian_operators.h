@@ -195,7 +195,7 @@ inline std::optional<std::vector<Coordinates>> SmoothedPositions(const MeshView&
     const UmbrellaRings rings(mesh, parameters.boundary, parameters.movable);
     std::vector<Coordinates> now(mesh.vertexCount), next(mesh.vertexCount);
     for (std::size_t v = 0; v < mesh.vertexCount; ++v) now[v] = mesh.Position(v);
-    const int threads = ResolveThreads(parameters.threads);
+    const int threads = ThreadsThatPay(parameters.threads, mesh.faceCount);
     for (int step = 0; step < parameters.steps; ++step) {
         if (parameters.progress && !parameters.progress(100 * step / parameters.steps, "Umbrella smoothing"))
             return std::nullopt;

@@ -35,6 +35,16 @@ struct ArrayView {
     const T& operator[](std::size_t i) const { return first[i]; }
 };
 
+/// Threads that pay for a few passes over so many faces: on a busy machine a second one starts and ends no
+/// sooner than tens of milliseconds.
+/// \param requested 0: all
+inline int ThreadsThatPay(int requested, std::size_t faces)
+{
+    constexpr std::size_t kFacesPerThread = 250000;
+    return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(ResolveThreads(requested)),
+                                                  1 + faces / kFacesPerThread));
+}
+
 /// The corners and the neighbours around every vertex of a triangle mesh, whatever its topology: open,
 /// non-manifold, polygonal, with inconsistent orientation. Faces that name a vertex twice are left out.
 class OneRings
@@ -49,7 +59,8 @@ class OneRings
 
   public:
     /// Two passes over the faces. \pre every index of mesh.triangles is below mesh.vertexCount < 2^31
-    /// \param wanted one byte a vertex, not 0: its corners are listed; null: those of all vertices are
+    /// \param threads used as they are \param wanted one byte a vertex, not 0: its corners are listed; null:
+    /// those of all vertices are
     explicit OneRings(const MeshView& mesh, int threads = 1, const std::uint8_t* wanted = nullptr);
 
     std::size_t VertexCount() const { return offset_.size() - 2; }
@@ -99,7 +110,6 @@ inline OneRings::OneRings(const MeshView& mesh, int threads, const std::uint8_t*
     // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and the
     // corners of a vertex keep the order of the faces. Counts are stored two places on, so that after the
     // sum offset_[v + 1] is where v begins, and after filling where it ends.
-    threads = ResolveThreads(threads);
     const std::size_t ranges = static_cast<std::size_t>(threads);
     const auto bound = [&](std::size_t range) { return mesh.vertexCount * range / ranges; };
     ParallelFor(threads, ranges, [&](std::size_t range, int) {

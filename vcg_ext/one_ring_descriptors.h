@@ -110,11 +110,13 @@ void FoldOneRings(const MeshView& mesh, const OneRings& rings, int threads, std:
         });
 }
 
-/// The descriptor of every vertex, 0 where it has no faces. \pre as OneRings \tparam Fold one of the above
+/// The descriptor of every vertex, 0 where it has no faces.
+/// \param threads 0: all \pre as OneRings \tparam Fold one of the above
 template <class Fold>
 std::vector<double> OneRingDescriptor(const MeshView& mesh, int threads = 1)
 {
     std::vector<double> values(mesh.vertexCount, 0);
+    threads = ThreadsThatPay(threads, mesh.faceCount);
     const OneRings rings(mesh, threads);
     if (mesh.doublePositions)
         FoldOneRings<Fold, double>(mesh, rings, threads, values);
