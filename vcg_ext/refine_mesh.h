@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+
+#include "mesh_arrays.h"
+#include "nearest_vertices.h"
+#include "refinement.h"
+#include "surface_builder.h"
+
+namespace vcg_ext
+{
+
+/// Refines a VCG mesh that any tool has simplified against its original; see Refine.
+///
+/// Vertices that do not move keep their coordinates to the last bit. Adjacency, normals and what is stored
+/// per wedge are not updated: flips exchange the corners of faces, so set parameters.flip to false for meshes
+/// with texture coordinates per wedge. Faces that a flip has changed lose their faux flags.
+/// \tparam Original may be another type of mesh, of the other precision
+/// \param fixed one byte per element of simplified.vert, not 0 where it must stay; may be empty
+/// \pre both meshes lie in the same place, coordinates are finite
+template <class Mesh, class Original>
+RefinementReport RefineMesh(Mesh& simplified, const Original& original,
+                            const RefinementParameters& parameters = {},
+                            const std::vector<std::uint8_t>& fixed = {})
+{
+    using Scalar = typename Mesh::ScalarType;
+    const MeshArrays<Original> originalArrays(original);
+    const MeshArrays<Mesh> simplifiedArrays(simplified);
+    MeshView view = simplifiedArrays.View();
+    if (!fixed.empty()) view.fixedVertices = fixed.data();
+    const int threads = ResolveThreads(parameters.threads);
+    const SurfaceFrame frame = FrameOf(originalArrays.View());
+    const SurfaceArrays before = BuildSurfaceArrays(originalArrays.View(), frame, nullptr, threads);
+    SurfaceArrays after = BuildSurfaceArrays(view, frame, nullptr, threads);
+    const RefinementReport report =
+        Refine(before, after, NearestVertices(before, after, threads), parameters);
+
+    for (std::size_t v = 0; v < after.VertexCount(); ++v) {
+        if (!(after.flags[v] & kMovedVertex)) continue;
+        const auto p = frame.FromFrame(after.points[v]);
+        for (int k = 0; k < 3; ++k)
+            simplified.vert[v].P()[k] = static_cast<Scalar>(p[static_cast<std::size_t>(k)]);
+    }
+    for (std::size_t f = 0; f < after.FaceCount(); ++f) {
+        auto& face = simplified.face[simplifiedArrays.FaceIndex(f)];
+        for (int k = 0; k < 3; ++k) {
+            auto* vertex = &simplified.vert[after.triangles[f].v[k]];
+            if (face.V(k) == vertex) continue;
+            face.V(k) = vertex;
+            for (int edge = 0; edge < 3; ++edge) face.ClearF(edge);
+        }
+    }
+    return report;
+}
+
+} // namespace vcg_ext
