@@ -57,9 +57,8 @@ inline std::optional<CollapseError> QuadricError(const CollapseSurroundings& edg
     if (!edge.keptStays) {
         x = edge.kept / 2;
         const double regularisation = kTikhonov * quadric.a.Trace() / 3;
-        SymmetricMatrix matrix = quadric.a;
-        matrix.AddDiagonal(regularisation);
-        if (regularisation > 0) x += SolveRegularised(matrix, regularisation, -(quadric.a * x + quadric.b));
+        if (regularisation > 0)
+            x += SolveRegularised(quadric.a, regularisation, -(quadric.a * x + quadric.b));
     }
     const auto quality = WorstQuality(edge.stayingFaces, x, kQualityClamp);
     if (!quality) return std::nullopt;
