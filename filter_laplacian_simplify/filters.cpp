@@ -69,10 +69,11 @@ const std::vector<Filter>& Filters()
          "meshing_decimation_laplacian_quadric_edge_collapse",
          "Reduces the number of faces and keeps creases, corners and details longest.",
          "Edges are collapsed in the order of a quadric error that is weighted by e to the power of "
-         "feature_weight times the Laplacian descriptor. The result has no non-manifold edge and no "
-         "turned-over face that the original did not have, and does not depend on the number of threads. "
-         "Where a target cannot be reached the filter stops before it and says why. Nothing is changed when "
-         "a parameter is out of range or the run is cancelled.",
+         "feature_weight times the Laplacian descriptor. No collapse turns a face by more than 78 degrees or "
+         "makes a non-manifold edge, and the result does not depend on the number of threads. Where a target "
+         "cannot be reached the filter stops before it and says why. Selection, colours, quality and texture "
+         "coordinates of what remains are kept as they were, not interpolated. Nothing is changed when a "
+         "parameter is out of range or the run is cancelled.",
          kZhang2012AndQuadrics,
          {Category::Remeshing},
          kGeometryAndTopology},
