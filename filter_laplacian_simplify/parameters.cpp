@@ -162,8 +162,8 @@ const std::vector<Parameter>& Parameters()
          "Measure the distances between original and result for the report; takes about as long as the "
          "decimation.", {}},
         {"order", {kGuided}, Type::Choice, {0}, Choices(orders), "", "Order",
-         "Who runs the collapses: the fast engine, or the reference on VCG's framework; effort best always takes "
-         "the latter.", orders},
+         "Who runs the collapses: the fast engine, or the reference on VCG's framework; effort best always "
+         "takes the latter.", orders},
         {"threads", {kGuided}, Type::Integer, {0}, {0, 1024}, "", "Threads",
          "Threads to use, 0 for all. The result does not depend on it.", {}},
     };

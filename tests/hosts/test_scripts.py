@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The same script of filters does the same in every host that reads scripts."""
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 
@@ -47,14 +48,24 @@ def test_one_script_of_all_filters(filters: list[dict], run_script: ScriptHost, 
     assert 0.1 * 0.2 * 23680 - 2 <= faces <= 0.1 * 0.2 * 23680 + 1
 
 
-def test_bad_value_is_refused_by_name(filters: list[dict], run_script: ScriptHost, part: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [
+        ("target_percent", 200, "target_percent = 200 is outside [0, 100]"),
+        ("target_faces", -5, "target_faces = -5 is outside [1, 2147483647]"),
+        ("feature_weight", math.nan, "feature_weight = nan is outside [0, 50]"),
+        ("effort", 7, "effort = 7 is outside [0, 2]"),
+    ],
+)
+def test_bad_value_is_refused_by_name(
+    filters: list[dict], run_script: ScriptHost, part: Path, tmp_path: Path, name: str, value: float, said: str
+) -> None:
     """A host may write the untouched mesh and end with 0, but the sentence must have been shown."""
     row = next(row for row in filters if row["id"] == "simplify")
-    script = write_script(tmp_path / "script.mlx", (row, values_of(row, target_percent=200)))
+    script = write_script(tmp_path / "script.mlx", (row, values_of(row, **{name: value})))
     output = tmp_path / "output.ply"
     run = run_script(script, part, output)
-    assert "target_percent = 200" in run.output, run.output
-    assert "[0, 100]" in run.output
+    assert said in run.output, run.output
     if output.exists():
         assert MeshData.read(output).near(MeshData.read(part))
 
