@@ -4,16 +4,15 @@
 
 # build_target PRESET [TARGET]: configures where that is needed, then builds what has changed, in build/PRESET.
 build_target() {
-    local folder=$top/build/$1
+    local folder=$top/build/$1 stamp=$top/build/$1/configured
     # A tree that was configured before its host moved would go on building against the old place.
-    if [[ ! -f $folder/build.ninja || -n $(find "$cache/hosts" -name host.cmake -newer "$folder/build.ninja") ]]; then
-        rm -rf "$folder"
+    if [[ ! -f $stamp || -n $(find "$cache/hosts" -name host.cmake -newer "$stamp") ]]; then rm -rf "$folder"; fi
+    # CMake itself does not notice that a preset has changed.
+    if [[ ! -f $stamp || $top/CMakePresets.json -nt $stamp ]]; then
         (cd "$top" && cmake --preset "$1")
+        touch "$stamp"
     fi
     cmake --build "$folder" --target "${2:-all}" -- -k 0
 }
 
 build_preset() { build_target "$1" all; }
-
-# Prints the plugin that the preset has built.
-plugin_of() { printf '%s\n' "$top/build/$1/plugins/libfilter_laplacian_simplify.so"; }

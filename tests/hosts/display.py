@@ -78,16 +78,29 @@ class Display:
         """Presses the left button there."""
         self._tool("mousemove", str(x), str(y), "click", "1")
 
-    def screenshot(self, file: Path) -> None:
-        """Saves what is on the screen."""
+    def screenshot(self, file: Path, seconds: float = 10) -> None:
+        """Saves what is on the screen, once nothing has moved on it from one look to the next."""
         file.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["import", "-window", "root", str(file)], env=self._environment, check=True, timeout=30)
+        looks = [""]
+
+        def settled() -> bool:
+            subprocess.run(["import", "-window", "root", str(file)], env=self._environment, check=True, timeout=30)
+            looks.append(_signature(file))
+            return looks[-1] == looks[-2]
+
+        wait_for(settled, seconds, "a screen at rest")
 
     def _tool(self, *arguments: str, check: bool = True) -> str:
         done = subprocess.run(
             ["xdotool", *arguments], env=self._environment, check=check, timeout=30, capture_output=True, text=True
         )
         return done.stdout
+
+
+def _signature(picture: Path) -> str:
+    """The same for pictures with the same pixels."""
+    command = ["identify", "-format", "%#", str(picture)]
+    return subprocess.run(command, check=True, capture_output=True, text=True, timeout=30).stdout
 
 
 @contextmanager
