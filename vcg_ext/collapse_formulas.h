@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "simd.h"
+#include "small_algebra.h"
 
 namespace vcg_ext::sweeps
 {
@@ -31,106 +32,6 @@ constexpr float kTurnCosine = 0.2f;
 /// What keeps a division finite where all faces of both stars have no area, in the frame of 1024 a diagonal.
 constexpr float kTiny = 1e-30f;
 
-inline float Max(float a, float b)
-{
-    return a > b ? a : b;
-}
-inline double Max(double a, double b)
-{
-    return a > b ? a : b;
-}
-using vcg_ext::Max;
-inline float Sqrt(float a)
-{
-    return std::sqrt(a);
-}
-inline double Sqrt(double a)
-{
-    return std::sqrt(a);
-}
-using vcg_ext::Sqrt;
-
-/// \p x in every lane, for numbers with one lane or four.
-template <class Real>
-inline Real Fill(float x)
-{
-    return Real{} + x;
-}
-
-template <class Real>
-struct Vector3 {
-    Real x, y, z;
-};
-
-template <class Real>
-inline Vector3<Real> operator+(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class Real>
-inline Vector3<Real> operator-(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class Real>
-inline Vector3<Real> operator*(const Real& s, const Vector3<Real>& a)
-{
-    return {s * a.x, s * a.y, s * a.z};
-}
-template <class Real>
-inline Real Dot(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Real>
-inline Vector3<Real> Cross(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// A symmetric 3 x 3 matrix by its upper triangle.
-template <class Real>
-struct SymmetricMatrix3 {
-    Real xx, xy, xz, yy, yz, zz;
-
-    Real Trace() const { return xx + yy + zz; }
-};
-
-template <class Real>
-inline SymmetricMatrix3<Real> operator+(const SymmetricMatrix3<Real>& a, const SymmetricMatrix3<Real>& b)
-{
-    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
-}
-template <class Real>
-inline SymmetricMatrix3<Real> operator-(const SymmetricMatrix3<Real>& a, const SymmetricMatrix3<Real>& b)
-{
-    return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
-}
-template <class Real>
-inline SymmetricMatrix3<Real> operator*(const Real& s, const SymmetricMatrix3<Real>& a)
-{
-    return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
-}
-template <class Real>
-inline Vector3<Real> operator*(const SymmetricMatrix3<Real>& m, const Vector3<Real>& d)
-{
-    return {m.xx * d.x + m.xy * d.y + m.xz * d.z, m.xy * d.x + m.yy * d.y + m.yz * d.z,
-            m.xz * d.x + m.yz * d.y + m.zz * d.z};
-}
-/// n n^T
-template <class Real>
-inline SymmetricMatrix3<Real> OuterProduct(const Vector3<Real>& n)
-{
-    return {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
-}
-/// d^T M d
-template <class Real>
-inline Real QuadraticForm(const SymmetricMatrix3<Real>& m, const Vector3<Real>& d)
-{
-    return d.x * (m.xx * d.x + 2.0f * (m.xy * d.y + m.xz * d.z)) + d.y * (m.yy * d.y + 2.0f * (m.yz * d.z)) +
-           d.z * (m.zz * d.z);
-}
-
 /// A quadric about the place of its vertex: q(d) = d^T M d + 2 linear.d + constant.
 template <class Real>
 struct CentredQuadric {
@@ -146,7 +47,8 @@ struct CentredQuadric {
 
 /// The same quadric about the point that lies \p d away; a constant that rounding made negative becomes 0.
 template <class Real>
-inline CentredQuadric<Real> Recentred(const CentredQuadric<Real>& q, const Vector3<Real>& d)
+[[gnu::always_inline]] inline CentredQuadric<Real> Recentred(const CentredQuadric<Real>& q,
+                                                             const Vector3<Real>& d)
 {
     const Vector3<Real> slope = q.matrix * d;
     const Real constant = q.constant + 2.0f * Dot(q.linear, d) + Dot(slope, d);
@@ -165,7 +67,8 @@ struct EdgeEnd {
 /// argmin of x^T (M + e I) x - 2 rhs.x by LDL^T, e = 1e-6 of the mean eigenvalue. The pivots are held at e /
 /// 2 or above, so that rounding cannot make the solution wild.
 template <class Real>
-inline Vector3<Real> SolveRegularized(const SymmetricMatrix3<Real>& m, const Vector3<Real>& rhs)
+[[gnu::always_inline]] inline Vector3<Real> SolveRegularized(const SymmetricMatrix3<Real>& m,
+                                                             const Vector3<Real>& rhs)
 {
     const Real pull = Max(m.Trace() * kMidpointPull, Fill<Real>(kTiny));
     const Real floor = 0.5f * pull;
@@ -185,7 +88,7 @@ inline Vector3<Real> SolveRegularized(const SymmetricMatrix3<Real>& m, const Vec
 
 /// Half the way from a to b.
 template <class Real>
-inline Vector3<Real> HalfEdgeVector(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b)
+[[gnu::always_inline]] inline Vector3<Real> HalfEdgeVector(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b)
 {
     return Fill<Real>(0.5f) * (b.position - a.position);
 }
@@ -193,7 +96,8 @@ inline Vector3<Real> HalfEdgeVector(const EdgeEnd<Real>& a, const EdgeEnd<Real>&
 /// Where the edge's new vertex belongs, as offset from its midpoint: the minimum of w_a C_a + w_b C_b.
 /// \param half HalfEdgeVector(a, b)
 template <class Real>
-inline Vector3<Real> OptimalOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, const Vector3<Real>& half)
+[[gnu::always_inline]] inline Vector3<Real> OptimalOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                                          const Vector3<Real>& half)
 {
     const SymmetricMatrix3<Real> ca = a.weight * a.star;
     const SymmetricMatrix3<Real> cb = b.weight * b.star;
@@ -203,8 +107,8 @@ inline Vector3<Real> OptimalOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& 
 /// g: the memoryless quadric at the placement, at least a part of the accumulated ones, and a little length.
 /// \param offset of the placement from the midpoint
 template <class Real>
-inline Real EdgeCost(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, const Vector3<Real>& half,
-                     const Vector3<Real>& offset)
+[[gnu::always_inline]] inline Real EdgeCost(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                            const Vector3<Real>& half, const Vector3<Real>& offset)
 {
     const Vector3<Real> fromA = offset + half;
     const Vector3<Real> fromB = offset - half;
@@ -227,8 +131,9 @@ struct StarAreas {
 /// OptimalOffset with the soft volume plane: of the union of the stars, with G the sum of 2 area n, the plane
 /// that keeps the volume, with weight 3 max(w) |G|^2 / area.
 template <class Real>
-inline Vector3<Real> VolumeAwareOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
-                                       const Vector3<Real>& half, const StarAreas<Real>& areas)
+[[gnu::always_inline]] inline Vector3<Real> VolumeAwareOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                                              const Vector3<Real>& half,
+                                                              const StarAreas<Real>& areas)
 {
     const SymmetricMatrix3<Real> ca = a.weight * a.star;
     const SymmetricMatrix3<Real> cb = b.weight * b.star;
@@ -313,7 +218,7 @@ struct MovedFace {
 
 /// The face that has the edges \p a and \p b at the new vertex.
 template <class Real>
-inline MovedFace<Real> MoveFace(const Vector3<Real>& a, const Vector3<Real>& b)
+[[gnu::always_inline]] inline MovedFace<Real> MoveFace(const Vector3<Real>& a, const Vector3<Real>& b)
 {
     constexpr float kTinyLength2 = 1e-18f; // of the frame of 1024 a diagonal: far below the last digit
     const Vector3<Real> opposite = b - a;
@@ -328,7 +233,7 @@ inline MovedFace<Real> MoveFace(const Vector3<Real>& a, const Vector3<Real>& b)
 /// Whether the face turned by more than acos(kTurnCosine) against m = \p before, or lost its area. A face
 /// that had no area may turn as it likes.
 template <class Real>
-inline auto TurnedTooFar(const MovedFace<Real>& face, const Vector3<Real>& before)
+[[gnu::always_inline]] inline auto TurnedTooFar(const MovedFace<Real>& face, const Vector3<Real>& before)
 {
     const Real before2 = Dot(before, before);
     const Real product = Dot(face.normal, before);

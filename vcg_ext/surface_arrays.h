@@ -54,7 +54,7 @@ struct SurfaceArrays {
 enum SurfaceFlag : std::uint8_t {
     kBorderVertex = 1, ///< on an edge that does not have exactly two faces
     kFixedVertex = 2,  ///< must keep its position (selection, lock)
-    kMovedVertex = 4   ///< simplified surface: moved by the refinement
+    kMovedVertex = 4   ///< simplified surface: is not where the input had it
 };
 
 } // namespace vcg_ext

@@ -36,7 +36,7 @@ inline void AddBorderPlanes(SweepState& state, std::uint32_t face, float sign)
 {
     const FaceRecord& record = state.faces[face];
     for (int j = 0; j < 3; ++j) {
-        const std::uint32_t a = record.v[j], b = record.v[NextIndex(j)];
+        const std::uint32_t a = record.v[j], b = record.v[kNextIndex[j]];
         if (!state.Has(a, kBorderVertex) || !state.Has(b, kBorderVertex)) continue;
         if (FacesOnEdge(state, a, b) != 1) continue;
         const SymmetricMatrix3<float> plane = sign * BorderPlane(state, record, a, b);

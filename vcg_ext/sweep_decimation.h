@@ -40,7 +40,6 @@ class SweepDecimation
     SurfaceArrays original_;
     SurfaceArrays simplified_;
     Buffer<std::uint32_t> root_, vertexOrigin_, faceOrigin_;
-    Buffer<std::uint8_t> moved_;
     StopReason stopReason_ = StopReason::Target;
 
   public:
@@ -56,7 +55,7 @@ class SweepDecimation
         state_.preserveTopology = parameters.preserveTopology;
         state_.keepOriginal = keepOriginal;
         sweeps::SweepLoader(view, state_, threads_).Load();
-        sweeps::SweepStarter(state_, threads_, parameters.boundary, view.guidance).Start();
+        sweeps::SweepStarter(view, state_, threads_, parameters.boundary).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
         if (keepOriginal) KeepOriginal();
     }
@@ -155,15 +154,13 @@ class SweepDecimation
         simplified_.points.Allocate(count);
         simplified_.flags.Allocate(count);
         vertexOrigin_.Allocate(count);
-        moved_.Allocate(count);
         for (std::size_t v = 0; v < vertices; ++v) {
             const std::uint32_t to = place[v];
             if (to == kNowhere) continue;
             const auto p = state_.Position(static_cast<std::uint32_t>(v));
             simplified_.points[to] = {p.x, p.y, p.z, 1};
-            simplified_.flags[to] = state_.flags[v] & (kBorderVertex | kFixedVertex);
+            simplified_.flags[to] = state_.flags[v] & (kBorderVertex | kFixedVertex | kMovedVertex);
             vertexOrigin_[to] = state_.origin[v];
-            moved_[to] = (state_.flags[v] & sweeps::kMovedVertex) != 0;
         }
         return place;
     }
@@ -214,8 +211,7 @@ class SweepDecimation
 
     std::array<double, 3> InputPosition(std::uint32_t v) const
     {
-        if (moved_[v] == 0 && (simplified_.flags[v] & kMovedVertex) == 0)
-            return view_.Position(vertexOrigin_[v]);
+        if ((simplified_.flags[v] & kMovedVertex) == 0) return view_.Position(vertexOrigin_[v]);
         const SurfacePoint& p = simplified_.points[v];
         return {p.x * state_.unit + state_.centre[0], p.y * state_.unit + state_.centre[1],
                 p.z * state_.unit + state_.centre[2]};

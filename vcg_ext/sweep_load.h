@@ -13,6 +13,7 @@
 #include "parallel.h"
 #include "stable_scatter.h"
 #include "sweep_arena.h"
+#include "sweep_order.h"
 #include "sweep_state.h"
 
 namespace vcg_ext::sweeps
@@ -26,9 +27,6 @@ constexpr std::size_t kMostVertices = std::size_t{1} << 30;
 /// after it (sweep_start.h). Faces that name a vertex twice stay out unless all their vertices are fixed.
 class SweepLoader
 {
-    struct SortedVertex {
-        std::uint32_t code, origin;
-    };
     struct SortedFace {
         std::uint32_t v[3];
         std::uint32_t origin;
@@ -36,8 +34,6 @@ class SweepLoader
     };
 
     static constexpr std::size_t kGrain = 1 << 14;
-    static constexpr int kMortonBitsPerAxis = 8;
-    static constexpr int kDigitBits = 12; ///< two digits make a code
     static constexpr int kFaceBucketBits = 11;
     static constexpr std::uint32_t kUnreferenced = ~std::uint32_t{0};
 
@@ -146,28 +142,9 @@ class SweepLoader
         state_.unit = unit > 0 && std::isfinite(1 / unit) ? unit : 1;
     }
 
-    /// Every third bit of the result is one of the lowest 8 of \p x.
-    static std::uint32_t SpreadBits(std::uint32_t x)
-    {
-        x = (x | x << 8) & 0x0300F00Fu;
-        x = (x | x << 4) & 0x030C30C3u;
-        return (x | x << 2) & 0x09249249u;
-    }
-
-    std::uint32_t MortonCode(const std::array<double, 3>& p, double scale) const
-    {
-        constexpr double kHighest = (1 << kMortonBitsPerAxis) - 1;
-        std::uint32_t code = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double cell = std::clamp((p[k] - low_[k]) * scale, 0.0, kHighest);
-            code |= SpreadBits(static_cast<std::uint32_t>(cell)) << k;
-        }
-        return code;
-    }
-
     void MakeVertices()
     {
-        Buffer<SortedVertex> sorted = SortVertices();
+        Buffer<OrderedVertex> sorted = SortVertices();
         const std::size_t count = sorted.size();
         state_.vertices.Allocate(count);
         state_.origin.Allocate(count);
@@ -191,32 +168,21 @@ class SweepLoader
     }
 
     /// The vertices with a record, in Morton order.
-    Buffer<SortedVertex> SortVertices()
+    Buffer<OrderedVertex> SortVertices() const
     {
-        double extent = 0;
-        for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high_[k] - low_[k]);
-        const double scale = extent > 0 ? (1 << kMortonBitsPerAxis) / extent : 0;
         std::size_t count = 0;
         for (std::uint32_t v = 0; v < view_.vertexCount; ++v) count += HasRecord(v);
-        Buffer<SortedVertex> here(count);
+        Buffer<OrderedVertex> vertices(count);
         std::size_t at = 0;
         for (std::uint32_t v = 0; v < view_.vertexCount; ++v)
-            if (HasRecord(v)) here[at++].origin = v;
+            if (HasRecord(v)) vertices[at++].origin = v;
+        const MortonGrid grid(low_, high_);
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
-                here[i].code = MortonCode(view_.Position(here[i].origin), scale);
+                vertices[i].code = grid.Code(view_.Position(vertices[i].origin));
         });
-        Buffer<SortedVertex> there(count);
-        for (int digit = 0; digit < 2; ++digit) {
-            StableScatter(
-                threads_, count, std::size_t{1} << kDigitBits,
-                [&](std::size_t i) {
-                    return here[i].code >> (digit * kDigitBits) & ((1u << kDigitBits) - 1);
-                },
-                [&](std::size_t i, std::uint32_t place) { there[place] = here[i]; });
-            std::swap(here, there);
-        }
-        return here;
+        SortByCode(vertices, threads_);
+        return vertices;
     }
 
     /// Faces in the order of their smallest vertex: first into buckets of 2048 vertices, then within each.

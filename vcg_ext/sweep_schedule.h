@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sweep_run.h"
@@ -20,8 +21,11 @@ class SweepSchedule
     static constexpr double kHighestStart =
         0.9; ///< quantile of the lowest costs that the first sweep reaches
     static constexpr std::uint32_t kCostSamples = 4000;
-    static constexpr float kRatio = 3;     ///< from one threshold to the next
-    static constexpr double kMiddle = 1.8; ///< times the target: the steps become half as large
+    static constexpr std::uint32_t kKeySamples = 4000;
+    static constexpr double kFewestCandidates = 0.1; ///< part of the vertices that every sweep should reach
+    static constexpr double kNoDistance = 1e-3;      ///< in the frame: a millionth of the diagonal
+    static constexpr float kRatio = 3;               ///< from one threshold to the next
+    static constexpr double kMiddle = 1.8;           ///< times the target: the steps become half as large
     static constexpr float kMiddleRatio = 1.7320508f;
     static constexpr double kNear = 1.3; ///< times the target: small steps, so that the last are well chosen
     static constexpr float kNearRatio = 1.19f;
@@ -98,22 +102,55 @@ class SweepSchedule
             const float* cost = workspace.neighbours.cost.data();
             lowest.push_back(*std::min_element(cost, cost + workspace.neighbours.size));
         }
-        if (lowest.empty()) return kLowestThreshold;
         const double part = 1 - static_cast<double>(target) / static_cast<double>(state_.aliveFaces);
         const double quantile = std::clamp(part, 0.0, kHighestStart);
-        const auto place = static_cast<std::ptrdiff_t>(quantile * static_cast<double>(lowest.size() - 1));
-        std::nth_element(lowest.begin(), lowest.begin() + place, lowest.end());
-        return std::clamp(lowest[static_cast<std::size_t>(place)], kLowestThreshold, kHighestThreshold);
+        return std::clamp(Quantile(std::move(lowest), quantile), LowestUsefulThreshold(), kHighestThreshold);
     }
 
+    static float Quantile(std::vector<float> values, double part)
+    {
+        if (values.empty()) return 0;
+        const auto place = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), values.begin() + place, values.end());
+        return values[static_cast<std::size_t>(place)];
+    }
+
+    /// Costs of a distance that the frame's floats can hardly tell from none, over a star of average area.
+    /// What is cheaper differs by rounding only.
+    float LowestUsefulThreshold() const
+    {
+        double area = 0;
+        std::size_t samples = 0;
+        const std::size_t step = std::max<std::size_t>(1, state_.faces.size() / kCostSamples);
+        for (std::size_t f = 0; f < state_.faces.size(); f += step) {
+            const Vector3<float> m = state_.faces[f].Normal();
+            if (!state_.faces[f].Alive()) continue;
+            area += static_cast<double>(Dot(m, m));
+            ++samples;
+        }
+        const double starArea = samples > 0 ? 12 * area / static_cast<double>(samples) : 0;
+        return std::max(kLowestThreshold, static_cast<float>(starArea * kNoDistance * kNoDistance));
+    }
+
+    /// A multiple of the last threshold, and more where that would reach hardly anybody.
     float NextThreshold(float threshold, std::size_t died, std::size_t target) const
     {
-        const double need =
-            static_cast<double>(state_.aliveFaces) / static_cast<double>(std::max<std::size_t>(1, target));
+        const double need = static_cast<double>(state_.aliveFaces) / static_cast<double>(target);
         float ratio = need < kNear ? kNearRatio : need < kMiddle ? kMiddleRatio : kRatio;
         if (static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces))
             ratio = std::max(ratio, kSlowRatio);
-        return std::min(threshold * ratio, kHighestThreshold);
+        const double part = std::min(kFewestCandidates, 0.5 * std::max(0.0, 1 - 1 / need));
+        return std::min(std::max(threshold * ratio, KeyQuantile(part)), kHighestThreshold);
+    }
+
+    /// The quantile of the live vertices' keys, from an even sample.
+    float KeyQuantile(double part) const
+    {
+        std::vector<float> keys;
+        const std::uint32_t step = std::max(1u, state_.VertexCount() / kKeySamples);
+        for (std::uint32_t v = 0; v < state_.VertexCount(); v += step)
+            if (state_.cornerCount[v] > 0) keys.push_back(state_.key[v]);
+        return Quantile(std::move(keys), part);
     }
 
     void ForgetKeys()

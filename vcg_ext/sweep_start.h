@@ -7,6 +7,7 @@
 #include <cstring>
 #include <vector>
 
+#include "laplacian_descriptor.h"
 #include "parallel.h"
 #include "sweep_border.h"
 #include "sweep_state.h"
@@ -31,14 +32,14 @@ class SweepStarter
         std::uint32_t size = 0;
     };
 
+    const MeshView& view_;
     SweepState& state_;
     int threads_;
     Boundary boundary_;
-    const float* guidance_; ///< one an input vertex, or null
 
   public:
-    SweepStarter(SweepState& state, int threads, Boundary boundary, const float* guidance)
-        : state_(state), threads_(threads), boundary_(boundary), guidance_(guidance)
+    SweepStarter(const MeshView& view, SweepState& state, int threads, Boundary boundary)
+        : view_(view), state_(state), threads_(threads), boundary_(boundary)
     {
     }
 
@@ -52,7 +53,8 @@ class SweepStarter
             for (std::size_t v = begin; v < end; ++v)
                 StartVertex(static_cast<std::uint32_t>(v), stars[static_cast<std::size_t>(thread)]);
         });
-        state_.descriptorScale = guidance_ != nullptr ? 1.0f : DescriptorScale();
+        if (view_.fauxEdges != nullptr && view_.guidance == nullptr) TakePolygonDescriptor();
+        state_.descriptorScale = view_.guidance != nullptr ? 1.0f : DescriptorScale();
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) WeightVertex(v);
         });
@@ -203,6 +205,14 @@ class SweepStarter
         return sum;
     }
 
+    /// The diagonals of polygons join no neighbours; they are known of the input only.
+    void TakePolygonDescriptor()
+    {
+        const std::vector<double> values = LaplacianDescriptor(view_, threads_);
+        for (std::uint32_t v = 0; v < state_.VertexCount(); ++v)
+            state_.descriptor[v] = static_cast<float>(values[state_.origin[v]]);
+    }
+
     /// 1 / the 99.9 % percentile of the descriptor, from an even sample.
     float DescriptorScale() const
     {
@@ -221,8 +231,8 @@ class SweepStarter
     void WeightVertex(std::size_t v)
     {
         VertexRecord& record = state_.vertices[v];
-        const float l = guidance_ != nullptr ? guidance_[state_.origin[v]]
-                                             : state_.descriptor[v] * state_.descriptorScale;
+        const float l = view_.guidance != nullptr ? view_.guidance[state_.origin[v]]
+                                                  : state_.descriptor[v] * state_.descriptorScale;
         state_.descriptor[v] = std::clamp(l, 0.0f, 1.0f);
         const float weight = std::exp(state_.featureWeight * state_.descriptor[v]);
         record.value[VertexRecord::kWeight] = weight;

@@ -71,11 +71,8 @@ struct alignas(16) FaceRecord {
 };
 static_assert(sizeof(FaceRecord) == 32, "two to a cache line");
 
-/// Marks of a vertex beside those of SurfaceFlag.
-enum SweepFlag : std::uint8_t {
-    kMovedVertex = 4,  ///< is not where the input had it
-    kMergedVertex = 8, ///< took part in a collapse of the running sweep
-};
+/// Mark of a vertex beside those of SurfaceFlag: it took part in a collapse of the running sweep.
+constexpr std::uint8_t kMergedVertex = 128;
 
 /// Key of a vertex that is never looked at again: it is gone.
 constexpr float kNoKey = FLT_MAX;
@@ -84,14 +81,9 @@ constexpr float kRefusedKey = 1e38f;
 /// No threshold is higher: what is refused stays out of reach.
 constexpr float kHighestThreshold = 5e37f;
 
-constexpr int NextIndex(int index)
-{
-    return index == 2 ? 0 : index + 1;
-}
-constexpr int PreviousIndex(int index)
-{
-    return index == 0 ? 2 : index - 1;
-}
+// Tables, because what a corner's index is cannot be predicted.
+inline constexpr std::uint8_t kNextIndex[4] = {1, 2, 0, 0};
+inline constexpr std::uint8_t kPreviousIndex[4] = {2, 0, 1, 0};
 
 /// Everything that the collapses read and write. Vertices are in Morton order, faces in the order of their
 /// smallest vertex, so that neighbours in space are neighbours in memory.
@@ -105,7 +97,7 @@ struct SweepState {
     Buffer<Corner> originalCorners;     ///< the input's lists, if they are kept, once all others have moved
     Buffer<float> key;                  ///< a vertex is looked at once the threshold reaches its key
     Buffer<float> descriptor;           ///< l of the vertex, in [0, 1]
-    Buffer<std::uint8_t> flags;         ///< of SurfaceFlag and SweepFlag
+    Buffer<std::uint8_t> flags;         ///< of SurfaceFlag, and kMergedVertex
     Buffer<std::uint32_t> origin;       ///< the input vertex
     Buffer<std::uint32_t> mergedInto;   ///< whom a vertex was merged into, itself if it was not; may be empty
     std::size_t aliveFaces = 0;
@@ -124,10 +116,10 @@ struct SweepState {
     Vector3<float> Position(std::uint32_t v) const { return vertices[v].Position(); }
     const Corner* CornersOf(std::uint32_t v) const { return corners.data() + cornerOffset[v]; }
     bool Has(std::uint32_t v, unsigned mask) const { return (flags[v] & mask) != 0; }
-    std::uint32_t Next(Corner corner) const { return faces[FaceOf(corner)].v[NextIndex(IndexOf(corner))]; }
+    std::uint32_t Next(Corner corner) const { return faces[FaceOf(corner)].v[kNextIndex[corner & 3]]; }
     std::uint32_t Previous(Corner corner) const
     {
-        return faces[FaceOf(corner)].v[PreviousIndex(IndexOf(corner))];
+        return faces[FaceOf(corner)].v[kPreviousIndex[corner & 3]];
     }
 };
 
