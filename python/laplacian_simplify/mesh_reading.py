@@ -4,6 +4,7 @@
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,9 +29,10 @@ def read_mesh(path: str | Path) -> "pymeshlab.MeshSet":
     path = Path(path)
     _check_file(path)
     mesh_set = pymeshlab.MeshSet()
-    mesh_set.set_verbosity(True)
+    mesh_set.set_verbosity(True)  # then what it repairs in silence is in its log
     try:
         with caught_output() as log:
+            _lasting_mesh_set().apply_filter("get_geometric_measures")
             mesh_set.load_new_mesh(str(path.absolute()))
     except (pymeshlab.PyMeshLabException, RuntimeError, ValueError, MemoryError) as error:
         raise OSError(f"{path} cannot be read: {_reason(error)}") from None
@@ -43,6 +45,20 @@ def read_mesh(path: str | Path) -> "pymeshlab.MeshSet":
         _check_obj(path, mesh_set.current_mesh().face_number())
     if mesh_set.mesh_number() != 1:
         raise OSError(f"{path} cannot be used: it holds {mesh_set.mesh_number()} meshes instead of one")
+    return mesh_set
+
+
+@cache
+def _lasting_mesh_set() -> "pymeshlab.MeshSet":
+    """A mesh set that is never destroyed.
+
+    While pymeshlab reads, it writes into the log of the mesh set that ran a filter last, even if that one is
+    gone; after a filter on this one the log is there.
+    """
+    import pymeshlab
+
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.create_cube()
     return mesh_set
 
 
