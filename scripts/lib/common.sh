@@ -13,6 +13,7 @@ logs=$top/build/logs
 export LC_ALL=C.UTF-8 # one language in logs and one decimal point, whatever the user speaks
 PATH=$PATH:/usr/sbin:/sbin
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+export CCACHE_BASEDIR=$top # two checkouts share what they compile
 
 say() { printf '%s\n' "$*" >&2; }
 
