@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "decimation_types.h"
+#include "descriptor.h"
 #include "guided_collapse.h"
-#include "laplacian_descriptor.h"
 #include "measured_collapse.h"
 #include "strict_mesh.h"
 
@@ -21,20 +21,6 @@ namespace vcg_ext
 namespace strict_detail
 {
 
-/// The part of \p values that is told apart: without the lowest and the highest tenth of a percent, so that
-/// single outliers do not flatten everything else.
-inline std::pair<double, double> RangeWithoutOutliers(std::vector<double> values)
-{
-    constexpr double kOutliers = .001;
-    const auto quantile = [&](double q) {
-        const auto position =
-            values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + .5);
-        std::nth_element(values.begin(), position, values.end());
-        return *position;
-    };
-    return {quantile(kOutliers), quantile(1 - kOutliers)};
-}
-
 /// The descriptor in [0, 1] that guides: the view's, or the Laplacian one.
 inline void SetDescriptor(const MeshView& view, GuidedParameters& parameters)
 {
@@ -42,11 +28,14 @@ inline void SetDescriptor(const MeshView& view, GuidedParameters& parameters)
         parameters.descriptor.assign(view.guidance, view.guidance + view.vertexCount);
         return;
     }
-    parameters.descriptor = LaplacianDescriptor(view);
-    const auto [low, high] = RangeWithoutOutliers(parameters.descriptor);
-    const double scale = high > low ? 1 / (high - low) : 0;
-    for (double& l : parameters.descriptor) l = std::clamp((l - low) * scale, 0.0, 1.0);
-    parameters.descriptorScale = scale;
+    const std::vector<double> values = LaplacianDescriptor(view);
+    parameters.descriptor = RescaledToUnit(values);
+    // The scale, found where nothing was cut off at 1.
+    const double low = *std::min_element(values.begin(), values.end());
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (values[v] > low)
+            parameters.descriptorScale =
+                std::max(parameters.descriptorScale, parameters.descriptor[v] / (values[v] - low));
 }
 
 template <class Method>
