@@ -103,7 +103,7 @@ inline std::vector<double> RescaledToUnit(std::vector<double> values, double top
     if (values.empty()) return values;
     std::vector<double> order = values;
     const double low = *std::min_element(values.begin(), values.end());
-    const auto rank = static_cast<std::ptrdiff_t>(top / 100 * static_cast<double>(values.size() - 1) + .5);
+    const std::ptrdiff_t rank = std::lround(top / 100 * static_cast<double>(values.size() - 1));
     std::nth_element(order.begin(), order.begin() + rank, order.end());
     double high = order[static_cast<std::size_t>(rank)];
     if (!(high > low)) high = *std::max_element(values.begin(), values.end()); // features rarer than the rest

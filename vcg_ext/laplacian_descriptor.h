@@ -31,10 +31,10 @@ inline bool HasEqual(const std::uint16_t* values, std::uint16_t count)
     std::memcpy(&a, values, sizeof a);
     a = (a & counts) | (place & ~counts);
     // every two places are 1, 2, 3 or 4 apart on the circle of eight
-    const auto equal = (a == __builtin_shuffle(a, Short8{1, 2, 3, 4, 5, 6, 7, 0})) |
-                       (a == __builtin_shuffle(a, Short8{2, 3, 4, 5, 6, 7, 0, 1})) |
-                       (a == __builtin_shuffle(a, Short8{3, 4, 5, 6, 7, 0, 1, 2})) |
-                       (a == __builtin_shuffle(a, Short8{4, 5, 6, 7, 0, 1, 2, 3}));
+    const auto equal = (a == __builtin_shufflevector(a, a, 1, 2, 3, 4, 5, 6, 7, 0)) |
+                       (a == __builtin_shufflevector(a, a, 2, 3, 4, 5, 6, 7, 0, 1)) |
+                       (a == __builtin_shufflevector(a, a, 3, 4, 5, 6, 7, 0, 1, 2)) |
+                       (a == __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3));
     return AnyLane(reinterpret_cast<Int4>(equal));
 }
 

@@ -221,8 +221,7 @@ class SweepStarter
         for (std::uint32_t v = 0; v < state_.VertexCount(); v += step)
             if (state_.cornerCount[v] > 0) sample.push_back(state_.descriptor[v]);
         if (sample.empty()) return 1;
-        const auto place =
-            static_cast<std::ptrdiff_t>(kPercentile * static_cast<double>(sample.size() - 1) + .5);
+        const std::ptrdiff_t place = std::lround(kPercentile * static_cast<double>(sample.size() - 1));
         std::nth_element(sample.begin(), sample.begin() + place, sample.end());
         const float top = sample[static_cast<std::size_t>(place)];
         return top > 0 ? 1 / top : 1;
