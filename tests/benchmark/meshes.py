@@ -18,6 +18,7 @@ GROUPS = {
     "CAD": ("block", "fandisk", "rocker_arm", "screwdriver", "airplane"),
     "natural": ("cow", "bunny", "bunny10k_textured", "elephant", "igea"),
 }
+LARGEST_PLY = 2_000_000  # faces
 FORMATS = (".ply", ".off", ".obj", ".stl")
 
 
@@ -29,6 +30,10 @@ class BenchmarkMesh:
     group: str
     arrays: Path  # .npz with vertices (float32) and faces (int32)
     ply: Path
+
+    @property
+    def face_count(self) -> int:
+        return len(np.load(self.arrays)["faces"])
 
     def load(self) -> Mesh:
         stored = np.load(self.arrays)
@@ -52,9 +57,10 @@ def prepare_mesh(source: Path, folder: Path) -> BenchmarkMesh:
 
 
 def store_mesh(prepared: BenchmarkMesh, mesh: Mesh) -> None:
-    """Writes both copies of a mesh, the arrays last."""
+    """Writes both copies of a mesh, the arrays last; of a very large one only the arrays."""
     prepared.arrays.parent.mkdir(parents=True, exist_ok=True)
-    write_ply(prepared.ply, mesh.vertices, mesh.faces)
+    if len(mesh.faces) <= LARGEST_PLY:
+        write_ply(prepared.ply, mesh.vertices, mesh.faces)
     np.savez(prepared.arrays, vertices=mesh.vertices.astype(np.float32), faces=mesh.faces.astype(np.int32))
 
 
@@ -81,6 +87,6 @@ def subdivided(mesh: BenchmarkMesh, times: int, folder: Path) -> BenchmarkMesh:
     return prepared
 
 
-def target_faces(mesh: Mesh, percent: float) -> int:
+def target_faces(faces: int, percent: float) -> int:
     """Faces to reach at a percentage, rounded down as MeshLab's filters do."""
-    return int(len(mesh.faces) * percent / 100)
+    return int(faces * percent / 100)

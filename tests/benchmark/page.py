@@ -104,7 +104,8 @@ def speed_lines(sections: dict) -> list[str]:
     runs = sections.get("speed", {})
     lines = ["## Time and memory", ""]
     for name, reference, text in (
-        ("arrays", "meshoptimizer_debian", "one thread unless said otherwise"),
+        ("arrays", "meshoptimizer_debian", "the fast ones, one thread unless said otherwise"),
+        ("tools", "meshoptimizer_debian", "all tools"),
         ("host", "pymeshlab", "filters in pymeshlab, one thread, `measure_error` off"),
     ):
         if name in runs:

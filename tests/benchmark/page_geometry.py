@@ -85,7 +85,7 @@ def tool_row(peer: Peer, section: dict, runs: dict, reference: dict, common: lis
 
 
 def host_table(section: dict, peer: Peer) -> list[str]:
-    """One effort against MeshLab's defaults on every mesh: rms/feature rms as ratios, bold where not ahead."""
+    """One effort against MeshLab's defaults on every mesh: rms/feature rms as ratios, bold where it is behind."""
     runs, host = (benchmark_runs(section, peer_id) for peer_id in (peer.id, HOST))
     lines = ["| mesh | " + " | ".join(f"{percent} %" for percent in PERCENTS) + " |", "|---" * 5 + "|"]
     for name in BENCHMARK_MESHES:
@@ -99,7 +99,7 @@ def _host_cell(run, host) -> str:
     if run is None or host is None:
         return "–"
     values = [ratio(run[axis], host[axis], axis) for axis in ("rms", "feature_rms")]
-    return "/".join(bold(f"{value:.2f}") if value >= 1 else f"{value:.2f}" for value in values)
+    return "/".join(bold(f"{value:.2f}") if value > 1 else f"{value:.2f}" for value in values)
 
 
 def absolute_table(section: dict, peer_ids: list[str]) -> list[str]:

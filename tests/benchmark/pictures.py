@@ -61,14 +61,14 @@ def _caption(peer_id: str) -> str:
 def _draw_panel(plotter, surface, error, top, caption) -> None:
     surface["error"] = error
     plotter.add_mesh(surface, scalars="error", clim=(0, top), cmap="viridis", show_scalar_bar=False)
-    plotter.add_text(caption, font_size=8, color="black", position="upper_left")
+    plotter.add_text(caption, font_size=7, color="black", position=(6, PANEL[1] - 32))
     plotter.set_background("white")
 
 
 def _look(plotter, name) -> None:
     direction, up = CAMERAS.get(name, ((1.0, 1.0, 1.0), (0.0, 0.0, 1.0)))
     plotter.view_vector(direction, viewup=up)
-    plotter.camera.zoom(1.15)
+    plotter.camera.zoom(1.35)
 
 
 def _draw_scale(plotter, rows, panels, surface, top) -> None:
@@ -78,14 +78,9 @@ def _draw_scale(plotter, rows, panels, surface, top) -> None:
         plotter.set_background("white")
         dot = surface.extract_points([0], include_cells=False)
         dot["distance, % of the diagonal"] = np.zeros(dot.n_points)
-        plotter.add_mesh(
-            dot,
-            scalars="distance, % of the diagonal",
-            clim=(0, top),
-            cmap="viridis",
-            opacity=0,
-            scalar_bar_args={"color": "black", "position_x": 0.1, "position_y": 0.4, "width": 0.8, "fmt": "%.2g"},
-        )
+        bar = {"color": "black", "position_x": 0.1, "position_y": 0.4, "width": 0.8, "fmt": "%.2g", "n_labels": 3}
+        scalars = "distance, % of the diagonal"
+        plotter.add_mesh(dot, scalars=scalars, clim=(0, top), cmap="viridis", opacity=0, scalar_bar_args=bar)
 
 
 def _save_small(plotter, destination: Path) -> None:
@@ -98,6 +93,6 @@ def _save_small(plotter, destination: Path) -> None:
     picture = Image.fromarray(plotter.screenshot(return_img=True))
     plotter.close()
     destination.parent.mkdir(parents=True, exist_ok=True)
-    picture.quantize(96, dither=Image.Dither.NONE).save(destination, optimize=True)
+    picture.quantize(192, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(destination, optimize=True)
     if destination.stat().st_size > LARGEST_BYTES:
         raise RuntimeError(f"{destination.name} has {destination.stat().st_size} bytes, more than {LARGEST_BYTES}")

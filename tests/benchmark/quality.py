@@ -15,7 +15,7 @@ from runs import Store, Workshop, load_result, result_path, run_tool
 
 def run_and_measure(workshop: Workshop, peer: Peer, mesh: BenchmarkMesh, percents, original: Original) -> dict:
     """{"cow_50": metrics, times and memory of one run, or the reason why there are none}."""
-    targets = [target_faces(original.mesh, percent) for percent in percents]
+    targets = [target_faces(len(original.mesh.faces), percent) for percent in percents]
     paths: list[Path] = [result_path(workshop, peer.id, mesh, percent) for percent in percents]
     measured = {}
     for percent, target, path, figures in zip(

@@ -32,6 +32,7 @@ SAME_SPEED = (  # settings that cost as much as another row of the same tool
     "vtk_quadric_volume",
     "vtk_pro",
 )
+FAST_PEERS = ("meshoptimizer_debian", "meshoptimizer", "meshoptimizer_update", "fast_simplification")
 LARGE_MESHES = ("rocker_arm", "elephant", "bunny", "igea")
 PICTURES = {"fandisk": 10, "bunny": 2, "rocker_arm": 10}
 GROWTH_CHAIN = ("bunny10k_textured", "bunny")  # then the last one, its faces cut into four again and again
@@ -82,10 +83,15 @@ class Benchmark:
         measure_command(self.workshop, self.store, source, mesh)
 
     def speed(self):
+        """All tools in a few rounds, then those that compete for speed in more of them, then the host's filters."""
         rounds, large = self.arguments.rounds, self.large_mesh()
-        usual = [peer.id for peer in PEERS if peer.id not in SAME_SPEED and (not self.quick or peer.id in QUICK_PEERS)]
         engine = [peer.id for peer in ENGINE if peer.id != "engine_best"]
-        measure_speed(self.workshop, self.store, "arrays", large, engine + usual, SPEED_PERCENT, rounds)
+        others = [peer.id for peer in PEERS if peer.id not in (*SAME_SPEED, *FAST_PEERS)]
+        fast = engine + [peer_id for peer_id in FAST_PEERS if not self.quick or peer_id in QUICK_PEERS]
+        measure_speed(self.workshop, self.store, "arrays", large, fast, SPEED_PERCENT, rounds)
+        if not self.quick:
+            tools = ["engine_fast", "engine_balanced", "meshoptimizer_debian", *others]
+            measure_speed(self.workshop, self.store, "tools", large, tools, SPEED_PERCENT, min(3, rounds))
         host = ["fast", "balanced", "pymeshlab"]
         measure_speed(self.workshop, self.store, "host", large, host, SPEED_PERCENT, rounds)
         for name in LARGE_MESHES:
@@ -99,7 +105,7 @@ class Benchmark:
         chain = [self.by_name[name] for name in GROWTH_CHAIN if name in self.by_name] or self.meshes[:1]
         meshes, last = list(chain), chain[-1]
         for times in range(1, 8):
-            if len(last.load().faces) * 4**times <= LARGEST_GROWTH[self.quick]:
+            if last.face_count * 4**times <= LARGEST_GROWTH[self.quick]:
                 meshes.append(subdivided(last, times, self.workshop.inputs))
         tools, rounds = ["engine_fast", "engine_balanced"], min(3, self.arguments.rounds)
         measure_growth(self.workshop, self.store, meshes, tools, SPEED_PERCENT, rounds)

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from mesh_topology import Mesh, without_unreferenced
-from meshes import BenchmarkMesh, target_faces
+from meshes import BenchmarkMesh
 
 LONGEST_SECONDS = 1800
 
@@ -86,8 +86,3 @@ def load_result(path: Path) -> Mesh:
     """The mesh that a run left."""
     stored = np.load(path)
     return without_unreferenced(stored["vertices"].astype(np.float64), stored["faces"].astype(np.int64))
-
-
-def faces_at(mesh: BenchmarkMesh, percent: float) -> int:
-    """Faces to reach at a percentage of a prepared mesh."""
-    return target_faces(mesh.load(), percent)

@@ -10,13 +10,13 @@ from statistics import median
 
 from tqdm import tqdm
 
-from meshes import BenchmarkMesh
-from runs import Store, Workshop, faces_at, run_tool
+from meshes import BenchmarkMesh, target_faces
+from runs import Store, Workshop, run_tool
 
 
 def measure_rounds(workshop: Workshop, peer_ids: list[str], mesh: BenchmarkMesh, percent: float, rounds: int) -> dict:
     """{peer: list of figures, one a round}; a tool that fails is left out of the following rounds."""
-    faces = faces_at(mesh, percent)
+    faces = target_faces(mesh.face_count, percent)
     figures = {peer_id: [] for peer_id in peer_ids}
     for _ in tqdm(range(rounds), desc=f"time, {mesh.name} to {percent:g} %", unit="round"):
         for peer_id in peer_ids:
@@ -31,7 +31,7 @@ def measure_speed(workshop: Workshop, store: Store, name: str, mesh: BenchmarkMe
     """Stores the rounds of several tools on one mesh under speed/name."""
     store.section("speed")[name] = {
         "mesh": mesh.name,
-        "faces": len(mesh.load().faces),
+        "faces": mesh.face_count,
         "percent": percent,
         "figures": measure_rounds(workshop, peer_ids, mesh, percent, rounds),
     }
@@ -43,7 +43,7 @@ def measure_growth(workshop: Workshop, store: Store, meshes: list[BenchmarkMesh]
     rows = []
     for mesh in meshes:
         figures = measure_rounds(workshop, peer_ids, mesh, percent, rounds)
-        rows.append({"mesh": mesh.name, "faces": len(mesh.load().faces), "figures": figures})
+        rows.append({"mesh": mesh.name, "faces": mesh.face_count, "figures": figures})
         store.section("growth")["rows"] = rows
         store.section("growth")["percent"] = percent
         store.save()
