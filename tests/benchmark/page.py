@@ -8,6 +8,7 @@ import page_geometry as geometry
 import page_speed as speed
 from meshes import GROUPS
 from metrics import SAMPLES
+from page_aims import aim_lines
 from peers import OWN, PEERS, Peer, peer_named
 
 HEAD = """<!-- Written by scripts/benchmark; changes by hand are lost. -->
@@ -130,11 +131,11 @@ def growth_lines(growth: dict) -> list[str]:
         return []
     lines = [f"### Growth, to {growth['percent']:g} %", "", *speed.growth_table(growth), ""]
     for peer_id in growth["rows"][0]["figures"]:
-        factor = speed.growth_factor(growth, peer_id, 60_000)
+        factor = speed.growth_factor(growth, peer_id, speed.LARGE_FACES)
         if factor is not None:
             lines += [
                 f"{speed.tool_name(peer_id)}: time per face grows {factor:.2f} times from the first mesh over "
-                "60,000 faces to the largest.",
+                f"{speed.LARGE_FACES:,} faces to the largest.",
                 "",
             ]
     return lines
@@ -191,6 +192,7 @@ def write_page(sections: dict, destination: Path, command: str) -> None:
         HEAD.format(command=command),
         *environment_lines(sections["machine"]),
         DEFINITIONS.format(samples=SAMPLES, groups=groups),
+        *aim_lines(sections),
         *geometry_lines(quality),
         *command_lines(sections.get("command", {})),
         *picture_lines(sections.get("pictures", {})),

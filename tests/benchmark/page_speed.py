@@ -7,6 +7,8 @@ from statistics import median
 from peers import OWN, peer_named
 from timing import medians, ratios, succeeded
 
+LARGE_FACES = 100_000  # below, a mesh fits the processor's caches and says nothing about growth
+
 
 def tool_name(peer_id: str) -> str:
     """Library and settings of a tool; this project's efforts through the host are named so."""

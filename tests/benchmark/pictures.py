@@ -15,10 +15,10 @@ from runs import Workshop, load_result, result_path
 SHOWN = ("pymeshlab", "meshoptimizer_update", "cgal_lt", "cgal_gh", "fast", "balanced", "best")
 PANEL = (300, 270)
 COLUMNS = 4
-CAMERAS = {  # direction from which the mesh is seen, and what is up
-    "fandisk": ((1.0, -0.9, 0.7), (0.0, 0.0, 1.0)),
-    "bunny": ((0.25, 0.2, 1.0), (0.0, 1.0, 0.0)),
-    "rocker_arm": ((0.3, 1.0, 0.5), (0.0, 0.0, 1.0)),
+CAMERAS = {  # direction from which the mesh is seen, what is up, zoom
+    "fandisk": ((1.0, -0.9, 0.7), (0.0, 0.0, 1.0), 1.6),
+    "bunny": ((0.25, 0.2, 1.0), (0.0, 1.0, 0.0), 1.3),
+    "rocker_arm": ((0.3, 1.0, 0.5), (1.0, 0.0, 0.0), 1.2),
 }
 LARGEST_BYTES = 150_000
 
@@ -55,7 +55,7 @@ def draw_error_maps(workshop: Workshop, mesh: BenchmarkMesh, percent: float, des
 def _caption(peer_id: str) -> str:
     peer = peer_named(peer_id)
     settings = peer.settings.split(",")[0].replace("–", "-")
-    return settings if peer.library == "this project" else f"{peer.library}: {settings}"
+    return settings if peer.library == "this project" else f"{peer.library.split()[0]}: {settings}"
 
 
 def _draw_panel(plotter, surface, error, top, caption) -> None:
@@ -66,9 +66,9 @@ def _draw_panel(plotter, surface, error, top, caption) -> None:
 
 
 def _look(plotter, name) -> None:
-    direction, up = CAMERAS.get(name, ((1.0, 1.0, 1.0), (0.0, 0.0, 1.0)))
+    direction, up, zoom = CAMERAS.get(name, ((1.0, 1.0, 1.0), (0.0, 0.0, 1.0), 1.2))
     plotter.view_vector(direction, viewup=up)
-    plotter.camera.zoom(1.35)
+    plotter.camera.zoom(zoom)
 
 
 def _draw_scale(plotter, rows, panels, surface, top) -> None:
