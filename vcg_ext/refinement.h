@@ -25,8 +25,18 @@ namespace vcg_ext
 namespace refinement
 {
 
-/// Mean squares below this (1e-7 of the diagonal, squared) are rounding: nothing is gained any more.
-constexpr double kNegligibleMeanSquare = 1e-8;
+/// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
+/// moves would gain nothing and make flat parts uneven.
+constexpr double kFlatTilt = 5e-4;
+
+/// Square root of the mean area of a face.
+inline double FaceSize(const SurfaceArrays& surface)
+{
+    double doubleArea = 0;
+    for (std::uint32_t f = 0; f < surface.FaceCount(); ++f)
+        doubleArea += static_cast<double>(Norm(AreaVector(surface, f)));
+    return std::sqrt(doubleArea / 2 / static_cast<double>(surface.FaceCount()));
+}
 
 inline Buffer<Place> NoHints(std::size_t size)
 {
@@ -128,9 +138,9 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
                 NoHints(3 * simplified.FaceCount()),
                 NoHints(simplified.FaceCount())};
     report.samples = state.samples.samples.size();
-    double meanSquare = MeanSquare(state.samples);
+    const double meanSquare = MeanSquare(state.samples);
     report.rmsBefore = report.rmsAfter = std::sqrt(meanSquare);
-    if (!(meanSquare > kNegligibleMeanSquare)) return report;
+    if (!(report.rmsBefore > kFlatTilt * FaceSize(simplified))) return report;
     state.meanSquare = static_cast<float>(meanSquare);
 
     if (parameters.flip && !cancelled(20)) report.flips = FlipEdges(state, threads);
