@@ -31,7 +31,8 @@ struct FaceCountStop {
     std::size_t targetFaces;
 
     template <class Profile>
-    bool operator()(double /*cost*/, const Profile& profile, std::size_t /*initial*/, std::size_t /*current*/) const
+    bool operator()(double /*cost*/, const Profile& profile, std::size_t /*initial*/,
+                    std::size_t /*current*/) const
     {
         return profile.surface_mesh().number_of_faces() <= targetFaces;
     }
@@ -59,7 +60,8 @@ SurfaceMesh ToSurfaceMesh(const PeerMesh& mesh)
 bool FromSurfaceMesh(SurfaceMesh& surface, PeerMesh& mesh)
 {
     surface.collect_garbage();
-    if (surface.number_of_vertices() > mesh.pointCount || surface.number_of_faces() > mesh.faceCount) return false;
+    if (surface.number_of_vertices() > mesh.pointCount || surface.number_of_faces() > mesh.faceCount)
+        return false;
     mesh.pointCount = surface.number_of_vertices();
     mesh.faceCount = surface.number_of_faces();
     float* coordinate = mesh.points;

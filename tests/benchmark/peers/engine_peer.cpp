@@ -53,8 +53,23 @@ int Run(PeerMesh& mesh, Effort effort, int threads)
 
 } // namespace
 
-extern "C" int EngineFast(PeerMesh* mesh) { return Run(*mesh, Effort::Fast, 1); }
-extern "C" int EngineFastTwoThreads(PeerMesh* mesh) { return Run(*mesh, Effort::Fast, 2); }
-extern "C" int EngineBalanced(PeerMesh* mesh) { return Run(*mesh, Effort::Balanced, 1); }
-extern "C" int EngineBalancedTwoThreads(PeerMesh* mesh) { return Run(*mesh, Effort::Balanced, 2); }
-extern "C" int EngineBest(PeerMesh* mesh) { return Run(*mesh, Effort::Best, 1); }
+extern "C" int EngineFast(PeerMesh* mesh)
+{
+    return Run(*mesh, Effort::Fast, 1);
+}
+extern "C" int EngineFastTwoThreads(PeerMesh* mesh)
+{
+    return Run(*mesh, Effort::Fast, 2);
+}
+extern "C" int EngineBalanced(PeerMesh* mesh)
+{
+    return Run(*mesh, Effort::Balanced, 1);
+}
+extern "C" int EngineBalancedTwoThreads(PeerMesh* mesh)
+{
+    return Run(*mesh, Effort::Balanced, 2);
+}
+extern "C" int EngineBest(PeerMesh* mesh)
+{
+    return Run(*mesh, Effort::Best, 1);
+}

@@ -16,18 +16,23 @@ constexpr float kAnyError = std::numeric_limits<float>::max();
 constexpr std::size_t kStride = 3 * sizeof(float);
 } // namespace
 
-extern "C" int MeshoptimizerVersion() { return MESHOPTIMIZER_VERSION; }
+extern "C" int MeshoptimizerVersion()
+{
+    return MESHOPTIMIZER_VERSION;
+}
 
 extern "C" int MeshoptimizerSimplify(PeerMesh* mesh)
 {
     std::vector<unsigned int> result(3 * mesh->faceCount);
     {
         const PeerTimer timer(*mesh);
-        mesh->faceCount = meshopt_simplify(result.data(), mesh->corners, 3 * mesh->faceCount, mesh->points,
-                                           mesh->pointCount, kStride, 3 * mesh->targetFaces, kAnyError, 0, nullptr) /
-                          3;
+        mesh->faceCount =
+            meshopt_simplify(result.data(), mesh->corners, 3 * mesh->faceCount, mesh->points,
+                             mesh->pointCount, kStride, 3 * mesh->targetFaces, kAnyError, 0, nullptr) /
+            3;
     }
-    for (std::size_t corner = 0; corner < 3 * mesh->faceCount; ++corner) mesh->corners[corner] = result[corner];
+    for (std::size_t corner = 0; corner < 3 * mesh->faceCount; ++corner)
+        mesh->corners[corner] = result[corner];
     return 0;
 }
 
@@ -35,9 +40,9 @@ extern "C" int MeshoptimizerSimplifyWithUpdate(PeerMesh* mesh)
 {
 #if MESHOPTIMIZER_VERSION >= 1000
     const PeerTimer timer(*mesh);
-    mesh->faceCount = meshopt_simplifyWithUpdate(mesh->corners, 3 * mesh->faceCount, mesh->points, mesh->pointCount,
-                                                 kStride, nullptr, 0, nullptr, 0, nullptr, 3 * mesh->targetFaces,
-                                                 kAnyError, 0, nullptr) /
+    mesh->faceCount = meshopt_simplifyWithUpdate(mesh->corners, 3 * mesh->faceCount, mesh->points,
+                                                 mesh->pointCount, kStride, nullptr, 0, nullptr, 0, nullptr,
+                                                 3 * mesh->targetFaces, kAnyError, 0, nullptr) /
                       3;
     return 0;
 #else
