@@ -76,7 +76,8 @@ def _draw_panel(plotter, panel: Panel) -> None:
             line_width=0.5,
             **colored,
         )
-    plotter.add_text(panel.caption, font_size=7, color="black", position=(0.02, 0.93), viewport=True)
+    caption = panel.caption.replace("λ", "lambda")  # the font has no Greek
+    plotter.add_text(caption, font_size=7, color="black", position=(0.02, 0.93), viewport=True)
 
 
 def save_figure(figure: Figure, destination: Path) -> None:

@@ -156,9 +156,8 @@ def times(studio: Studio) -> Entry:
             ),
         ],
         notes=[
-            "Median of seven runs in turns, inside the filter, all on the machine that wrote this page; read ratios, "
-            "not milliseconds. The curvatures are VCG's and include the adjacency that they need; the Laplacian and "
-            "curvature estimation use all processors, VCG one. The paper's models differ where the page's head "
-            "says so."
+            "Shortest of fifteen runs of the filter in turns, all on the machine that wrote this page; read ratios, "
+            "not milliseconds. The curvatures are VCG's and include the adjacency that they need. The paper's models "
+            "differ where the page's head says so."
         ],
     )
