@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -13,6 +13,7 @@
 
 #include "host.h"
 #include "number_text.h"
+#include "percentiles.h"
 #include "progress.h"
 #include "results.h"
 #include "stopwatch.h"
@@ -30,29 +31,19 @@ struct Statistics {
 };
 
 /// \param withTenths fills the last two \pre not empty
-inline Statistics Describe(std::vector<double> values, bool withTenths)
+inline Statistics Describe(const std::vector<double>& values, bool withTenths)
 {
+    const Percentiles percentile(values);
     Statistics statistics{};
     statistics.count = values.size();
-    double sum = 0;
-    for (const double value : values) sum += value;
-    statistics.mean = sum / static_cast<double>(values.size());
-    // Each selection leaves the smaller values in front, so the next one works on those only.
-    auto end = values.end();
-    const auto percentile = [&](double part) {
-        const auto place =
-            values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), place, end);
-        end = place + 1;
-        return *place;
-    };
-    statistics.maximum = *std::max_element(values.begin(), values.end());
+    statistics.minimum = percentile.Minimum();
+    statistics.maximum = percentile.Maximum();
+    statistics.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     statistics.percentile99_9 = percentile(0.999);
     if (withTenths) {
-        statistics.highestTenth = percentile(0.9);
         statistics.lowestTenth = percentile(0.1);
+        statistics.highestTenth = percentile(0.9);
     }
-    statistics.minimum = *std::min_element(values.begin(), end);
     return statistics;
 }
 
@@ -87,7 +78,7 @@ Report ApplyShapeDescriptor(Host& host, const Values& values)
     changed.reserve(descriptor.size());
     for (std::size_t v = 0; v < descriptor.size(); ++v)
         if (inScope[v]) changed.push_back(descriptor[v]);
-    const Statistics statistics = Describe(std::move(changed), colorize);
+    const Statistics statistics = Describe(changed, colorize);
     if (!host.Progress(90, "Laplacian shape descriptor")) throw Cancelled();
 
     host.Require(colorize ? kVertexQuality | kVertexColor : kVertexQuality);

@@ -67,6 +67,8 @@ void RequireUsable(const Mesh& mesh)
 template <class Mesh>
 std::vector<bool> VerticesInScope(const Mesh& mesh, bool selectedOnly)
 {
+    if (!selectedOnly && mesh.vert.size() == static_cast<std::size_t>(mesh.vn))
+        return std::vector<bool>(mesh.vert.size(), true);
     std::vector<bool> inScope(mesh.vert.size());
     bool any = false;
     if (selectedOnly) {

@@ -3,6 +3,7 @@
 
 // The filters on a host of the test's own, which can do what real hosts cannot be made to do: stop a run.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -177,6 +178,7 @@ class TestFilters : public QObject
     void deletedElementsAreNotThere();
     void stoppedDecimationSaysSo();
     void progressIsCalm();
+    void percentilesAreThoseOfTheSortedValues();
     void descriptorChangesOnlyTheSelection();
     void selectionOfFacesSurvivesTheSelectionOfVertices();
     void decimationKeepsWhatIsNotSelected();
@@ -313,6 +315,19 @@ void TestFilters::progressIsCalm()
     QVERIFY(!progress(100, "later"));
     QVERIFY2(!progress(100, "after the stop"), "a stop is final, and the host is not asked again");
     QCOMPARE(calls, 2);
+}
+
+void TestFilters::percentilesAreThoseOfTheSortedValues()
+{
+    std::vector<double> values;
+    for (int i = 0; i < 5000; ++i) values.push_back(std::pow(std::sin(i), 9)); // most of them near 0
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const Percentiles percentile(values);
+    for (const double part : {0.0, 0.1, 0.5, 0.9, 0.999, 1.0})
+        QCOMPARE(percentile(part), sorted[static_cast<std::size_t>(part * 4999)]);
+    const std::vector<double> equal(7, 0.25);
+    QCOMPARE(Percentiles(equal)(0.999), 0.25);
 }
 
 void TestFilters::descriptorChangesOnlyTheSelection()
