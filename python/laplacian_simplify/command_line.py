@@ -8,14 +8,13 @@ written; 2 wrong arguments.
 
 import argparse
 import json
-import signal
 import sys
 from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from tqdm import tqdm
 
@@ -25,14 +24,25 @@ from .options import SHORT_NAMES, WITHOUT_OPTION, Command, make_parser
 from .plugin import load
 from .running import checked
 from .summary import summary
-from .worker import run_in_worker
+from .worker import run_in_worker, signals_held
+
+STOPPED = 130
+"""Exit code of a run that a signal ended, as shells have it."""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command and returns its exit code."""
-    signal.signal(signal.SIGTERM, _interrupted)
-    parser = make_parser(version("laplacian-simplify"))
-    options = parser.parse_args(arguments)
+    options = make_parser(version("laplacian-simplify")).parse_args(arguments)
+    code = STOPPED
+    try:
+        with signals_held():
+            code = _main(options)
+    except KeyboardInterrupt:
+        pass  # it came when all was done
+    return code
+
+
+def _main(options: argparse.Namespace) -> int:
     command: Command = options.command
     try:
         values = _values(command, options)
@@ -41,7 +51,7 @@ def main(arguments: list[str] | None = None) -> int:
     except ValueError as error:
         return _fail(2, _with_option_name(str(error)))
     except KeyboardInterrupt:
-        return _fail(130, "stopped; nothing was written")
+        return _fail(STOPPED, "stopped; nothing was written")
     except (OSError, RuntimeError, ImportError) as error:
         return _fail(1, str(error))
     return 0
@@ -62,11 +72,12 @@ def _run(command: Command, options: argparse.Namespace, values: Mapping[str, Any
     with (
         _staged_report(options.json) as staged_report,
         staged_output(options.output, source=options.input) as staged,
-        tqdm(total=100, disable=None, leave=False, bar_format="{desc} {bar} {n:.0f} %") as bar,
+        tqdm(total=100, disable=None, leave=False, bar_format="{desc:<20}{bar} {n:.0f} %") as bar,
     ):
 
         def show(percent: int, stage: str) -> None:
-            bar.set_description_str(stage, refresh=False)
+            if percent < 100:  # then only the filter's name follows
+                bar.set_description_str(stage, refresh=False)
             bar.update(percent - bar.n)
 
         job = partial(_work, command, options.input, options.output, staged, values)
@@ -111,7 +122,3 @@ def _with_option_name(message: str) -> str:
 def _fail(code: int, message: str) -> int:
     print(f"laplacian-simplify: error: {' '.join(message.split())}", file=sys.stderr)
     return code
-
-
-def _interrupted(_number: int, _frame: object) -> NoReturn:
-    raise KeyboardInterrupt

@@ -6,14 +6,38 @@ import multiprocessing
 import os
 import re
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import Any, NoReturn
+
+_STOPPING = (signal.SIGINT, signal.SIGTERM)
 
 Progress = Callable[[int, str], None]
 
 # pymeshlab, when it is verbose, writes what filters report as progress to standard error in this form.
 _PROGRESS = re.compile(r"LOG: \d+ (.*?)\s*\[ (\d+)% \]")
+
+
+@contextmanager
+def signals_held() -> Iterator[None]:
+    """Ctrl+C and SIGTERM wait: what is begun here, such as a scratch folder, is also ended.
+
+    Both are let in, as KeyboardInterrupt, while run_in_worker waits, and at the end.
+    """
+    before = signal.signal(signal.SIGTERM, _interrupted)
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, _STOPPING)
+    try:
+        yield
+    finally:
+        try:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        finally:
+            signal.signal(signal.SIGTERM, before)
+
+
+def _interrupted(_number: int, _frame: object) -> NoReturn:
+    raise KeyboardInterrupt
 
 
 def run_in_worker(job: Callable[[], Any], on_progress: Progress) -> Any:
@@ -56,12 +80,16 @@ def _work(job: Callable[[], Any], sender: Connection, log_out: int) -> None:
 
 
 def _follow(log_in: int, on_progress: Progress) -> None:
-    """Passes progress on until the child has closed its log."""
+    """Passes progress on until the child has closed its log; here signals are let in."""
     with open(log_in, errors="replace") as log:
-        for line in log:
-            found = _PROGRESS.search(line)
-            if found:
-                on_progress(int(found[2]), found[1])
+        mask = signal.pthread_sigmask(signal.SIG_UNBLOCK, _STOPPING)
+        try:
+            for line in log:
+                found = _PROGRESS.search(line)
+                if found:
+                    on_progress(int(found[2]), found[1])
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
 
 def _cause(exit_code: int | None) -> str:

@@ -6,6 +6,7 @@ import dataclasses
 import inspect
 import typing
 
+import pymeshlab
 import pytest
 
 import laplacian_simplify as ls
@@ -42,7 +43,7 @@ def test_every_parameter_is_documented(row) -> None:
 
 @pytest.mark.parametrize(("row", "parameter"), ROWS)
 def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
-    hints = typing.get_type_hints(FUNCTIONS[row.python_name], {"pymeshlab": typing})
+    hints = typing.get_type_hints(FUNCTIONS[row.python_name], {"pymeshlab": pymeshlab})
     hint = str(hints[parameter.id])
     expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int"}[parameter.type]
     assert expected in hint

@@ -7,6 +7,7 @@ import pty
 import signal
 import subprocess
 import sys
+import termios
 import time
 from pathlib import Path
 
@@ -21,6 +22,7 @@ SCAN = SAMPLE_MESHES / "relief_scan.ply"
 def _on_terminal(*arguments: object) -> str:
     """What the command writes to a terminal."""
     ours, theirs = pty.openpty()
+    termios.tcsetwinsize(theirs, (24, 80))
     words = [sys.executable, "-P", "-m", "laplacian_simplify", *map(str, arguments)]
     process = subprocess.Popen(words, stdout=theirs, stderr=theirs, stdin=subprocess.DEVNULL)
     os.close(theirs)
@@ -38,7 +40,7 @@ def _on_terminal(*arguments: object) -> str:
 
 def test_progress_on_a_terminal(tmp_path: Path) -> None:
     written = _on_terminal("simplify", SCAN, tmp_path / "small.ply", "--percent", 10)
-    assert "%\r" in written or "%\x1b" in written
+    assert " 0 %" in written
     assert "50,000 -> " in written
 
 
