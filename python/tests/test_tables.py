@@ -5,6 +5,7 @@
 import dataclasses
 import inspect
 import typing
+from os import PathLike
 
 import pymeshlab
 import pytest
@@ -43,7 +44,7 @@ def test_every_parameter_is_documented(row) -> None:
 
 @pytest.mark.parametrize(("row", "parameter"), ROWS)
 def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
-    hints = typing.get_type_hints(FUNCTIONS[row.python_name], {"pymeshlab": pymeshlab})
+    hints = typing.get_type_hints(FUNCTIONS[row.python_name], {"pymeshlab": pymeshlab, "PathLike": PathLike})
     hint = str(hints[parameter.id])
     expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int"}[parameter.type]
     assert expected in hint
