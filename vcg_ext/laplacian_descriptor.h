@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "buffer.h"
@@ -40,42 +41,78 @@ inline bool HasEqual(const std::uint16_t* values, std::uint16_t count)
 
 /// What one pass over the faces gathers at a vertex: small, since room is what costs most.
 struct alignas(16) StarSum {
-    static constexpr std::uint16_t kMarks = 7;
+    static constexpr std::uint16_t kNext = 7;
 
-    float normalAndLength[4];    ///< sum of chord-weighted normals; sum of edge lengths
-    float edges[3];              ///< sum of edges
-    std::uint32_t balance;       ///< 0 where every next vertex of a face is the previous one of another
-    std::uint16_t marks[kMarks]; ///< of the next vertices, to see one come twice
-    std::uint16_t faces;
+    float normalAndLength[4]; ///< sum of chord-weighted normals; sum of edge lengths
+    float edgesAndBalance[4]; ///< sum of edges; 0 where every next vertex of a face is another's previous one
+    std::uint16_t next[kNext]; ///< part of the next vertices' hashes, to see one come twice
+    std::uint16_t faces;       ///< saturates
 
     void AddGeometry(Float4 weightedNormalAndLength, Float4 twoEdges)
     {
         Store(normalAndLength, Load(normalAndLength) + weightedNormalAndLength);
-        for (int i = 0; i < 3; ++i) edges[i] += twoEdges[i];
+        Store(edgesAndBalance, Load(edgesAndBalance) + twoEdges);
     }
-    void AddLink(std::uint32_t next, std::uint32_t previous)
+    void AddNext(std::uint32_t vertex)
     {
-        marks[std::min<std::uint16_t>(faces, kMarks - 1)] = static_cast<std::uint16_t>(next >> 16);
-        balance += next - previous;
-        faces = static_cast<std::uint16_t>(std::min(faces + 1, kMarks + 1));
+        constexpr std::uint32_t kOddFraction = 40503; // of the golden ratio: neighbours in memory spread
+        next[std::min<std::uint16_t>(faces, kNext - 1)] =
+            static_cast<std::uint16_t>(vertex * kOddFraction >> 3);
+        faces = static_cast<std::uint16_t>(std::min(faces + 1, kNext + 1));
     }
 
     /// Whether the faces close up around the vertex with two of them at every edge, so that both sums counted
-    /// every neighbour twice. Sometimes false without reason (many faces), never true without.
-    bool IsRegular() const { return balance == 0 && faces <= kMarks && !HasEqual(marks, faces); }
+    /// every neighbour twice. Sometimes false without reason (many faces).
+    bool IsRegular() const { return edgesAndBalance[3] == 0 && faces <= kNext && !HasEqual(next, faces); }
 
     /// |sum e.n| / sum |e|; that both sums count every neighbour twice cancels.
     double Descriptor() const
     {
-        const float* n = normalAndLength;
+        const float *n = normalAndLength, *e = edgesAndBalance;
         const float normalLength = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        const float divisor = normalLength * normalAndLength[3];
-        const float height = n[0] * edges[0] + n[1] * edges[1] + n[2] * edges[2];
+        const float divisor = normalLength * n[3];
         if (!(normalLength > kCancelledNormal * static_cast<float>(faces))) return 0;
-        return divisor > 0 ? static_cast<double>(std::fabs(height) / divisor) : 0;
+        return divisor > 0 ? static_cast<double>(std::fabs(n[0] * e[0] + n[1] * e[1] + n[2] * e[2]) / divisor)
+                           : 0;
     }
 };
 static_assert(sizeof(StarSum) == 48);
+
+/// A whole number below 2^21 that stands for a vertex: one to one up to two million of them.
+///
+/// Edges get the sum of their ends' marks in the fourth lane. The edge to the next vertex of a face minus the
+/// edge from the previous one then has the difference of these two's marks there: summed over faces that
+/// close up it is 0, and exactly so, since floats add a dozen such numbers without rounding.
+inline float MarkOf(std::uint32_t vertex)
+{
+    return static_cast<float>(static_cast<std::int32_t>(MixedBits(vertex) >> 11));
+}
+
+/// The position {x, y, z, mark}.
+inline Float4 Marked(Float4 position, float mark)
+{
+    return Float4{position[0], position[1], position[2], mark};
+}
+inline Float4 MarkedEdge(Float4 from, Float4 to)
+{
+    constexpr std::int32_t kSign = std::numeric_limits<std::int32_t>::min();
+    return to + Floats(Bits(from) ^ Int4{kSign, kSign, kSign, 0});
+}
+
+struct MarkedDouble3 {
+    Double3 position;
+    float mark;
+};
+inline MarkedDouble3 Marked(const Double3& position, float mark)
+{
+    return {position, mark};
+}
+inline Float4 MarkedEdge(const MarkedDouble3& from, const MarkedDouble3& to)
+{
+    Float4 edge = Edge(from.position, to.position);
+    edge[3] = from.mark + to.mark;
+    return edge;
+}
 
 /// Adds faces, four at a time, to the sums of their vertices in [firstVertex, lastVertex).
 template <class Scalar>
@@ -85,12 +122,29 @@ class StarSumPass
     StarSum* sums_;
     std::size_t firstVertex_, vertices_;
 
-    void AddLinks(const std::uint32_t* face)
+    /// Of every corner and face: the weighted normal, and the length of the two edges.
+    static void WeighCorners(const Float4 (&edge)[3][kLanes], Float4 (&rows)[3][kLanes])
     {
-        const std::uint32_t mixed[3] = {MixedBits(face[0]), MixedBits(face[1]), MixedBits(face[2])};
+        Float4x3 unit[3];
+        Float4 length[3];
         for (std::size_t k = 0; k < 3; ++k) {
-            if (face[k] - firstVertex_ >= vertices_) continue;
-            sums_[face[k]].AddLink(mixed[(k + 1) % 3], mixed[(k + 2) % 3]);
+            unit[k] = ByCoordinate(edge[k][0], edge[k][1], edge[k][2], edge[k][3]);
+            const Float4 length2 = Dot(unit[k], unit[k]);
+            length[k] = Sqrt(length2);
+            unit[k] = unit[k] * Select(length2 > kSmallestLength2, 1.0f / length[k], Float4{});
+        }
+        const Float4x3 normal = Cross(unit[0], unit[1]);
+        const Float4 sine2 = Dot(normal, normal);
+        const Float4 scale = Select(sine2 > kSmallestSine * kSmallestSine, 1.0f / sine2, Float4{});
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t previous = (k + 2) % 3; // the edge that leads to vertex k
+            const Float4x3 chord = unit[k] + unit[previous];
+            const Float4x3 weighted = normal * Sqrt(Dot(chord, chord) * scale);
+            rows[k][0] = weighted.x;
+            rows[k][1] = weighted.y;
+            rows[k][2] = weighted.z;
+            rows[k][3] = length[k] + length[previous];
+            Transpose(rows[k][0], rows[k][1], rows[k][2], rows[k][3]);
         }
     }
 
@@ -100,49 +154,29 @@ class StarSumPass
     {
     }
 
-    bool Concerns(const std::uint32_t* face) const
-    {
-        return (face[0] - firstVertex_ < vertices_ || face[1] - firstVertex_ < vertices_ ||
-                face[2] - firstVertex_ < vertices_) &&
-               !NamesAVertexTwice(face);
-    }
+    bool IsMine(std::uint32_t vertex) const { return vertex - firstVertex_ < vertices_; }
 
     /// \pre faces has four entries; the first \p count are added
     void Add(const std::uint32_t* const* faces, std::size_t count)
     {
-        Float4 edge[3][kLanes];
+        Float4 edge[3][kLanes], rows[3][kLanes];
         for (std::size_t i = 0; i < kLanes; ++i) {
-            const auto a = reader_.At(faces[i][0]), b = reader_.At(faces[i][1]), c = reader_.At(faces[i][2]);
-            edge[0][i] = Edge(a, b);
-            edge[1][i] = Edge(b, c);
-            edge[2][i] = Edge(c, a);
+            const auto at = [&](std::size_t k) {
+                return Marked(reader_.At(faces[i][k]), MarkOf(faces[i][k]));
+            };
+            const auto a = at(0), b = at(1), c = at(2);
+            edge[0][i] = MarkedEdge(a, b);
+            edge[1][i] = MarkedEdge(b, c);
+            edge[2][i] = MarkedEdge(c, a);
         }
-        Float4x3 unit[3];
-        Float4 length[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            unit[k] = ByCoordinate(edge[k][0], edge[k][1], edge[k][2], edge[k][3]);
-            const Float4 length2 = Dot(unit[k], unit[k]);
-            length[k] = Sqrt(length2);
-            unit[k] = unit[k] * InverseLength(length2);
-        }
-        const Float4x3 normal = Cross(unit[0], unit[1]);
-        const Float4 normalLength2 = Dot(normal, normal);
-        Float4 rows[3][kLanes]; // of every corner: its weighted normal, the length of its two edges
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t previous = (k + 2) % 3; // the edge that leads to vertex k
-            const Float4x3 weighted = normal * ChordWeight(normalLength2, unit[k] + unit[previous]);
-            rows[k][0] = weighted.x;
-            rows[k][1] = weighted.y;
-            rows[k][2] = weighted.z;
-            rows[k][3] = length[k] + length[previous];
-            Transpose(rows[k][0], rows[k][1], rows[k][2], rows[k][3]);
-        }
+        WeighCorners(edge, rows);
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t k = 0; k < 3; ++k) {
-                if (faces[i][k] - firstVertex_ >= vertices_) continue;
-                sums_[faces[i][k]].AddGeometry(rows[k][i], edge[k][i] - edge[(k + 2) % 3][i]);
+                if (!IsMine(faces[i][k])) continue;
+                StarSum& sum = sums_[faces[i][k]];
+                sum.AddGeometry(rows[k][i], edge[k][i] - edge[(k + 2) % 3][i]);
+                sum.AddNext(faces[i][(k + 1) % 3]);
             }
-        for (std::size_t i = 0; i < count; ++i) AddLinks(faces[i]);
     }
 };
 
@@ -161,11 +195,15 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads)
         const std::size_t last = mesh.vertexCount * (range + 1) / ranges;
         std::memset(sums.data() + first, 0, (last - first) * sizeof(StarSum));
         StarSumPass<Scalar> pass(mesh, sums.data(), first, last);
+        const auto concerns = [&](const std::uint32_t* v) {
+            return !NamesAVertexTwice(v) &&
+                   (ranges == 1 || pass.IsMine(v[0]) || pass.IsMine(v[1]) || pass.IsMine(v[2]));
+        };
         const std::uint32_t* faces[kLanes];
         std::size_t count = 0;
         for (std::size_t f = 0; f < mesh.faceCount; ++f) {
             faces[count] = mesh.triangles + 3 * f;
-            if (pass.Concerns(faces[count]) && ++count == kLanes) {
+            if (concerns(faces[count]) && ++count == kLanes) {
                 pass.Add(faces, count);
                 count = 0;
             }
