@@ -36,8 +36,9 @@ struct GuidedParameters {
 ///     x     = argmin Q(x) + volume plane + 1e-6 trace(Q) / 3 |x - midpoint|²
 ///     cost  = (max(Q(x), .35 (A_u + A_v)(x)) + 1e-12 |uv|² trace(Q)) / min(worst quality, .05)
 ///
-/// and refused where a face would turn by more than acos(.2). The weight never falls: the survivor takes the
-/// larger l and w, and where its own descriptor has risen above them A and w rise with it.
+/// Where a face would turn by more than acos(.2) the midpoint and the ends are tried for x, and the edge is
+/// refused if they do the same. The weight never falls: the survivor takes the larger l and w, and where its
+/// own descriptor has risen above them A and w rise with it.
 /// All of that is computed in double precision in the frame of CollapseFrame, whatever the mesh's scalar.
 template <class Mesh>
 class GuidedCollapse
@@ -118,6 +119,27 @@ class GuidedCollapse
                kLengthTerm * 4 * edge.half.SquaredNorm() * edge.trace;
     }
 
+    /// The cost of a collapse to \p x; nothing where a face would turn too far. \pre starFaces_ are gathered
+    std::optional<double> CostAt(const EdgeQuadric& edge, const Point& x) const
+    {
+        const std::optional<double> quality = WorstQuality(starFaces_, x, kQualityClamp);
+        if (!quality) return std::nullopt;
+        return QuadricCost(edge, x) / *quality;
+    }
+
+    /// Where the best place is refused one of these may do, so that targets stay within reach.
+    std::optional<double> CheapestOfEndsAndMidpoint(const EdgeQuadric& edge, Point& x) const
+    {
+        std::optional<double> cheapest;
+        for (const Point& place : {Point(0, 0, 0), edge.half, -edge.half}) {
+            const std::optional<double> cost = CostAt(edge, place);
+            if (!cost || (cheapest && *cheapest <= *cost)) continue;
+            cheapest = cost;
+            x = place;
+        }
+        return cheapest;
+    }
+
     VolumePlane VolumePlaneOf(const EdgeQuadric& edge, const StarMoments& moments) const
     {
         if (!(moments.area > 0)) return VolumePlane();
@@ -154,10 +176,11 @@ class GuidedCollapse
     {
         const EdgeQuadric edge = QuadricOf(removed, kept);
         const StarMoments moments = stars_.Gather(removed, kept, edge.midpoint, starFaces_);
-        const Point x = Placement(edge, IsFixed(kept), VolumePlaneOf(edge, moments));
-        const std::optional<double> quality = WorstQuality(starFaces_, x, kQualityClamp);
-        if (!quality) return std::nullopt;
-        return CollapseAssessment{QuadricCost(edge, x) / *quality, x + edge.midpoint, true};
+        Point x = Placement(edge, IsFixed(kept), VolumePlaneOf(edge, moments));
+        std::optional<double> cost = CostAt(edge, x);
+        if (!cost && !IsFixed(kept)) cost = CheapestOfEndsAndMidpoint(edge, x);
+        if (!cost) return std::nullopt;
+        return CollapseAssessment{*cost, x + edge.midpoint, true};
     }
 
     bool IsLegal(VertexType& removed, VertexType& kept)
