@@ -43,6 +43,8 @@ def test_the_script_lists_every_parameter_and_runs(tmp_path: Path) -> None:
     (row,) = [row for row in filters() if row.name == element.get("name")]
     listed = [(parameter.get("name"), parameter.get("type")) for parameter in element]
     assert listed == [(parameter.id, TYPES[parameter.type]) for parameter in row.parameters]
+    cardinalities = [parameter.get("enum_cardinality") for parameter in element]  # MeshLab 2020.09 insists on it
+    assert cardinalities == [str(len(parameter.options)) if parameter.options else None for parameter in row.parameters]
     script = tmp_path / "simplify.mlx"
     script.write_text(block("xml"))
     mesh_set = pymeshlab.MeshSet()
