@@ -5,13 +5,17 @@
 // with the adjacency that it needs, all in turns in one run: descriptor_benchmark [FACES] [ROUNDS]
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "test_meshes.h"
+#include "tests/support/test_meshes.h"
 #include "vcg_ext/descriptor.h"
 
 using namespace vcg_ext;
@@ -30,11 +34,45 @@ struct Case {
     std::vector<double> seconds;
 };
 
-/// A noisy torus, whose vertices are in no special order beyond that of a grid.
-test_meshes::IndexedMesh Torus(std::size_t faces)
+/// A noisy torus, whose vertices have the order of a grid.
+test_meshes::IndexedMesh Torus()
 {
-    const int around = std::max(3, static_cast<int>(std::sqrt(static_cast<double>(faces))));
-    return test_meshes::Noisy(test_meshes::Torus(around, std::max(3, around / 2)), 1e-4);
+    return test_meshes::Noisy(test_meshes::Torus(1000, 500), 1e-4);
+}
+
+template <class Value>
+Value Next(std::istream& file)
+{
+    Value value{};
+    file.read(reinterpret_cast<char*>(&value), sizeof value);
+    return value;
+}
+
+/// Reads what the benchmark writes: binary PLY, little endian, x y z as float, faces as uchar and three ints.
+/// \throws std::runtime_error where the file ends early or has other properties
+test_meshes::IndexedMesh ReadPly(const char* path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::size_t vertices = 0, faces = 0, properties = 0;
+    for (std::string line; std::getline(file, line) && line.rfind("end_header", 0) != 0;) {
+        if (line.rfind("element vertex ", 0) == 0) vertices = std::stoull(line.substr(15));
+        if (line.rfind("element face ", 0) == 0) faces = std::stoull(line.substr(13));
+        properties += line.rfind("property ", 0) == 0;
+    }
+    test_meshes::IndexedMesh mesh;
+    for (std::size_t v = 0; v < vertices && file; ++v) {
+        const float x = Next<float>(file), y = Next<float>(file), z = Next<float>(file);
+        mesh.points.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+    }
+    bool triangles = true;
+    for (std::size_t f = 0; f < faces && file; ++f) {
+        triangles = triangles && Next<std::uint8_t>(file) == 3;
+        const std::uint32_t a = Next<std::uint32_t>(file), b = Next<std::uint32_t>(file);
+        mesh.AddTriangle(a, b, Next<std::uint32_t>(file));
+    }
+    if (!file || properties != 4 || !triangles || faces == 0)
+        throw std::runtime_error(std::string(path) + " is not a PLY file of the benchmark");
+    return mesh;
 }
 
 /// Times a loop over cases, so that a busy moment meets all of them.
@@ -51,10 +89,9 @@ void RunInTurns(std::vector<Case>& cases, int rounds)
 } // namespace
 
 int main(int count, char** arguments)
-{
-    const std::size_t faces = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1000000;
+try {
     const int rounds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 9;
-    const test_meshes::IndexedMesh source = Torus(faces);
+    const test_meshes::IndexedMesh source = count > 1 ? ReadPly(arguments[1]) : Torus();
     test_meshes::FloatMesh single;
     test_meshes::DoubleMesh twice;
     Fill(single, source);
@@ -97,4 +134,7 @@ int main(int count, char** arguments)
                     reference / middle);
     }
     return 0;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "descriptor_benchmark: %s\n", error.what());
+    return 1;
 }
