@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "sweep_scratch.h"
 #include "sweep_state.h"
@@ -17,11 +19,15 @@ class CollapseGuard
     const SweepState& state_;
     StarScratch& star_;
     std::uint32_t removed_, survivor_;
+    std::optional<std::uint32_t> hole_; ///< the third vertex of a triangular hole that may be closed
 
   public:
-    CollapseGuard(const SweepState& state, StarScratch& star, std::uint32_t removed, std::uint32_t survivor)
+    /// \param closeHoles the edge may close a hole of three edges
+    CollapseGuard(const SweepState& state, StarScratch& star, std::uint32_t removed, std::uint32_t survivor,
+                  bool closeHoles = false)
         : state_(state), star_(star), removed_(removed), survivor_(survivor)
     {
+        if (closeHoles && star.dead == 1 && !state.preserveTopology) hole_ = TriangularHole();
     }
 
     bool Allows() const
@@ -64,13 +70,31 @@ class CollapseGuard
                !HasBorderEdge(star_.keptOfRemoved, star_.kept);
     }
 
+    /// If both ends are on one border only and these lead to the same vertex, that vertex.
+    std::optional<std::uint32_t> TriangularHole() const
+    {
+        const auto otherEnd = [&](std::uint32_t begin, std::uint32_t end) {
+            std::optional<std::uint32_t> found;
+            const bool several = AnyEdge(begin, end, [&](std::uint32_t v, std::ptrdiff_t faces) {
+                if (faces != 1) return false;
+                return std::exchange(found, v).has_value();
+            });
+            return several ? std::nullopt : found;
+        };
+        const auto ofRemoved = otherEnd(0, star_.keptOfRemoved);
+        const auto ofSurvivor = otherEnd(star_.keptOfRemoved, star_.kept);
+        return ofRemoved == ofSurvivor && ofRemoved && !IsWing(*ofRemoved) ? ofRemoved : std::nullopt;
+    }
+
     /// A common neighbour that is not a wing: its two edges would become one with too many faces.
     bool HasSharedNeighbour() const
     {
         std::uint32_t* const begin = star_.sorted.data();
         std::uint32_t* const end = WriteNeighbours(0, star_.keptOfRemoved, begin);
         std::sort(begin, end);
-        const auto shared = [&](std::uint32_t v) { return std::binary_search(begin, end, v) && !IsWing(v); };
+        const auto shared = [&](std::uint32_t v) {
+            return std::binary_search(begin, end, v) && !IsWing(v) && v != hole_;
+        };
         for (std::uint32_t i = star_.keptOfRemoved; i < star_.kept; ++i)
             if (shared(star_.next[i]) || shared(star_.previous[i])) return true;
         return false;

@@ -23,7 +23,7 @@ class SweepSchedule
     static constexpr std::uint32_t kCostSamples = 4000;
     static constexpr std::uint32_t kKeySamples = 4000;
     static constexpr double kFewestCandidates = 0.1; ///< part of the vertices that every sweep should reach
-    static constexpr double kNoDistance = 1e-3;      ///< in the frame: a millionth of the diagonal
+    static constexpr double kNoDistance = 2e-3;      ///< in the frame: two millionths of the diagonal
     static constexpr float kRatio = 3;               ///< from one threshold to the next
     static constexpr double kMiddle = 1.8;           ///< times the target: the steps become half as large
     static constexpr float kMiddleRatio = 1.7320508f;
@@ -65,7 +65,7 @@ class SweepSchedule
   private:
     SweepStep NextStep(const SweepStep& step, std::size_t died, std::size_t target)
     {
-        if (!step.anyPlacement) return {NextThreshold(step.threshold, died, target), false, false};
+        if (!step.lastResort) return {NextThreshold(step.threshold, died, target), false, false};
         ForgetKeys(); // the knot is cut: cheap collapses may have become legal
         return {FirstThreshold(target), false, false};
     }
@@ -78,8 +78,8 @@ class SweepSchedule
         if (step.everything) {
             const float lowest = LowestKey();
             const bool refused = lowest > kHighestThreshold;
-            if (refused && step.anyPlacement) return false;
-            if (refused) step.anyPlacement = true;
+            if (refused && step.lastResort) return false;
+            if (refused) step.lastResort = true;
             step.threshold = std::min(std::max(lowest, step.threshold * kRatio), kHighestThreshold);
         }
         step.everything = true;

@@ -15,9 +15,10 @@ namespace vcg_ext::sweeps
 
 /// What a sweep allows.
 struct SweepStep {
-    float threshold = 0;       ///< collapses of at most this cost
-    bool everything = false;   ///< all keys are fresh: what is illegal now stays so until something collapses
-    bool anyPlacement = false; ///< where the best placement turns a face, the ends and the midpoint are tried
+    float threshold = 0;     ///< collapses of at most this cost
+    bool everything = false; ///< all keys are fresh: what is illegal now stays so until something collapses
+    /// The ends and the midpoint are tried as placements too, and triangular holes may close.
+    bool lastResort = false;
 
     /// Key of what should be looked at in the next sweep again.
     float RetryKey() const { return threshold * 1.0001f; }
@@ -109,7 +110,7 @@ class VertexVisitor
         attempt.outside = !GatherStars(state_, removed, survivor, range, star);
         if (attempt.outside) return attempt;
         attempt.cost = neighbours.cost[neighbour];
-        if (!CollapseGuard(state_, star, removed, survivor).Allows()) {
+        if (!CollapseGuard(state_, star, removed, survivor, step.lastResort).Allows()) {
             attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
             return attempt;
         }
@@ -125,7 +126,7 @@ class VertexVisitor
             return attempt;
         }
         attempt.cost = kRefusedKey;
-        if (step.anyPlacement && !fixed) TryOtherPlacements(removed, survivor, step, attempt);
+        if (step.lastResort && !fixed) TryOtherPlacements(removed, survivor, step, attempt);
         return attempt;
     }
 

@@ -293,6 +293,22 @@ class TestSweepDecimation : public QObject
         }
     }
 
+    void closesSmallHolesOnlyWhereTheTargetNeedsIt()
+    {
+        IndexedMesh mesh = test_meshes::Icosphere(3);
+        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4); // one hole
+        const auto borderEdges = [&](std::size_t target, bool topology) {
+            DecimationParameters parameters = Parameters(target);
+            parameters.preserveTopology = topology;
+            const DecimatedMesh result = DecimateSweeps(View(mesh), parameters);
+            VerifySound(mesh, result);
+            return FaultsOf(result.triangles).borderEdges;
+        };
+        QVERIFY(borderEdges(100, false) > 0);
+        QVERIFY(borderEdges(1, true) > 0);
+        QCOMPARE(DecimateSweeps(View(mesh), Parameters(4)).stopReason, StopReason::Target);
+    }
+
     void preservesAStraightBorder()
     {
         const DecimatedMesh result = DecimateSweeps(View(test_meshes::Grid(30, 30)), Parameters(2));
