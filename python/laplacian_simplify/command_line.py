@@ -105,6 +105,8 @@ def _work(command: Command, source: str, target: str, staged: Path, values: Mapp
 
 def _show(options: argparse.Namespace, report: Mapping[str, Any]) -> None:
     """The report for people, and as JSON where standard output was asked for."""
+    if options.command.stores_quality and Path(options.output).suffix.lower() != ".ply":
+        print("laplacian-simplify: note: the result is in the vertex quality, which only PLY keeps", file=sys.stderr)
     text = summary(options.input, options.output, report)
     print(text, file=sys.stderr if options.json == "-" else sys.stdout)
     if options.json == "-":

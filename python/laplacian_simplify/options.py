@@ -19,6 +19,7 @@ class Command:
     name: str
     filter_name: str
     function: Callable[..., Report]
+    stores_quality: bool = False
     other_defaults: tuple[tuple[str, Any], ...] = ()
 
     @property
@@ -28,11 +29,12 @@ class Command:
 
 _COMMANDS = (
     Command("simplify", "meshing_decimation_laplacian_quadric_edge_collapse", functions.simplify),
-    Command("descriptor", "compute_scalar_by_laplacian_descriptor_per_vertex", functions.descriptor),
+    Command("descriptor", "compute_scalar_by_laplacian_descriptor_per_vertex", functions.descriptor, True),
     Command(
         "classify",
         "compute_selection_by_laplacian_descriptor_per_vertex",
         functions.classify,
+        True,
         (("class_as_quality", True),),  # no file holds a selection
     ),
     Command("smooth", "apply_coord_umbrella_smoothing", functions.smooth),

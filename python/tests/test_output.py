@@ -75,6 +75,20 @@ def test_full_disk_keeps_the_old_file(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [target]
 
 
+def test_a_format_without_quality_is_pointed_out(tmp_path: Path) -> None:
+    done = run_command("descriptor", FLANGE, tmp_path / "out.off")
+    assert done.returncode == 0
+    assert_one_line(done.stderr)
+    assert "which only PLY keeps" in done.stderr
+
+
+def test_the_classes_are_in_the_file(tmp_path: Path) -> None:
+    done = run_command("classify", FLANGE, tmp_path / "out.ply", "--classes", 3)
+    assert done.returncode == 0, done.stderr
+    mesh_set = ls.read_mesh(tmp_path / "out.ply")
+    assert set(mesh_set.current_mesh().vertex_scalar_array()) == {0, 1, 2}
+
+
 def test_input_may_be_the_output(tmp_path: Path) -> None:
     path = tmp_path / "mesh.ply"
     path.write_bytes(FLANGE.read_bytes())
