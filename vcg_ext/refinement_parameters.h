@@ -28,10 +28,10 @@ struct RefinementParameters {
     float backwardOutlier = 16;        ///< old squared distances backward count at most this many times the
                                        ///< larger of rms^2 and the largest forward one: a walk that got
                                        ///< stuck must not pay for a spike
-    float tolerableDistance = 2.5F;    ///< x rms; what is farther must not get farther still
+    float tolerableDistance = 4;       ///< x rms; what is farther must not get farther still
 
     // Moves
-    float regularisation = 0.03F; ///< of the mean diagonal entry, added to the normal equations
+    float regularisation = 0.01F; ///< of the mean diagonal entry, added to the normal equations
     float largestStep = 1;        ///< x the shortest edge at the vertex
     int trials = 2;               ///< lengths tried, each half the one before
     float moveGain = 0.001F;      ///< part of the star's energy that a move must save ...

@@ -178,6 +178,7 @@ class TestRefinement : public QObject
     void everySampleKnowsItsFaceAndItsDistance();
     void perturbedVerticesMoveBack_data();
     void perturbedVerticesMoveBack();
+    void theErrorNeverRises();
     void topologyStays_data();
     void topologyStays();
     void noFaceTurns_data();
@@ -320,6 +321,25 @@ void TestRefinement::perturbedVerticesMoveBack()
     QVERIFY(report.moves > 0);
     QVERIFY(report.rmsAfter < report.rmsBefore);
     QVERIFY2(after < atMost * before, qPrintable(QString("%1 of before").arg(after / before)));
+}
+
+void TestRefinement::theErrorNeverRises()
+{
+    for (const Family& family : Families()) {
+        for (const bool flip : {false, true}) {
+            Pair pair = MakePair(family.original, family.simplified);
+            RefinementParameters parameters;
+            parameters.flip = flip;
+            parameters.moveSweeps = 1;
+            double last = ExactRms(pair);
+            for (int run = 0; run < 3; ++run) {
+                Refine(pair, parameters);
+                const double now = ExactRms(pair);
+                QVERIFY2(now <= last, family.name);
+                last = now;
+            }
+        }
+    }
 }
 
 void TestRefinement::topologyStays_data()
