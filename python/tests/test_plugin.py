@@ -22,9 +22,9 @@ PROJECT = Path(__file__).parents[1]
 
 def test_loading_twice_is_loading_once() -> None:
     ls.load()
-    plugins = pymeshlab.number_plugins()
+    plugins = pymeshlab.plugin_number()
     ls.load()
-    assert pymeshlab.number_plugins() == plugins
+    assert pymeshlab.plugin_number() == plugins
     for row in filters():
         assert pymeshlab.filter_list().count(row.python_name) == 1
 
