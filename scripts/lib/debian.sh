@@ -79,7 +79,7 @@ fetch_source() {
 # fetch_packages VERSION FOLDER SUITE... -- PACKAGE...: unpacks meshlab of that version, the packages and all that
 # they depend on into FOLDER/root, from the first suite that still has the version.
 fetch_packages() {
-    local version=$1 folder=$2 suites=() suite scratch archive
+    local version=$1 folder=$2 system=$2/root suites=() suite scratch archive
     shift 2
     while [[ $1 != -- ]]; do
         suites+=("$1")
@@ -90,10 +90,10 @@ fetch_packages() {
         scratch=$folder/apt-$suite
         open_archive "$scratch" deb "$suite" || continue
         APT_CONFIG=$scratch/apt.conf apt-get -qy --download-only install "meshlab=$version*" "$@" || continue
-        mkdir -p "$folder/root"
-        for archive in "$scratch"/archives/*.deb; do dpkg-deb -x "$archive" "$folder/root"; done
+        mkdir -p "$system"
+        for archive in "$scratch"/archives/*.deb; do dpkg-deb -x "$archive" "$system"; done
         (cd "$scratch/archives" && printf '%s\n' *.deb) >"$folder/packages.txt"
-        rm -rf "$folder"/apt-* "$folder"/root/usr/share/{doc,man,info,locale}
+        rm -rf "$folder"/apt-* "$system"/usr/share/{doc,man,info,locale}
         return 0
     done
     say "meshlab $version is in none of the suites ${suites[*]} any more"

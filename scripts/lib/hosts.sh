@@ -5,7 +5,7 @@
 # The MeshLabs that the plugin is built for and tested in, each with its sources, in the cache folder:
 #   sources/meshlab-<version>/   source tree with its vcglib
 #   hosts/<host>/host.cmake      where sources and library are, read by cmake/FindMeshLab.cmake
-#   hosts/<host>/root/           programs and libraries of a Debian release, run by that release's own loader
+#   hosts/<host>/root            programs and libraries of a Debian release, run by that release's own loader
 
 all_hosts=(meshlab-2020.09 meshlab-2022.02 meshlab-2025.07 pymeshlab-2025.7)
 
@@ -55,13 +55,13 @@ ensure_program() {
 # fetch_program VERSION FOLDER SUITES PACKAGE...: also puts the release's loader beside the programs, because
 # MeshLab finds its plugins from the folder of the running executable, which then is the loader.
 fetch_program() {
-    local version=$1 folder=$2 suites=$3 loader
+    local version=$1 folder=$2 system=$2/root suites=$3 loader
     shift 3
     # shellcheck disable=SC2086
     fetch_packages "$version" "$folder" $suites -- "$@"
-    loader=$(find "$folder/root" -path '*/lib/*-linux-gnu*' -name 'ld-linux-*.so.*' -type f -print -quit)
-    cp "$loader" "$folder/root/usr/bin/ld-meshlab.so"
-    check_libraries "$folder/root"
+    loader=$(find "$system" -path '*/lib/*-linux-gnu*' -name 'ld-linux-*.so.*' -type f -print -quit)
+    cp "$loader" "$system/usr/bin/ld-meshlab.so"
+    check_libraries "$system"
 }
 
 # Prints the folders, joined by colons, in which a program of the unpacked release looks for libraries.
