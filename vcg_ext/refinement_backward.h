@@ -223,6 +223,12 @@ class BackwardSearch
     }
 };
 
+/// Does a face with that normal look away from the face of \p original that was found below it?
+inline bool LooksAway(const SurfaceArrays& original, Place below, const Vector3& normal)
+{
+    return below != kNone && IsFace(below) && Dot(AreaVector(original, below & ~kFacePlace), normal) < 0;
+}
+
 /// The energy of some backward points and their largest squared distance.
 struct BackwardEnergy {
     double energy = 0;

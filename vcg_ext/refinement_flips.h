@@ -48,6 +48,7 @@ class EdgeFlipper
     Shape shape_;
     SampleGroups groups_;
     BackwardPoints points_;
+    std::array<Place, 3> hints_{}; ///< of the last Backward's points
     Scratch<std::uint32_t> neighbours_;
 
   public:
@@ -176,7 +177,9 @@ class EdgeFlipper
         const BackwardEnergy newBackward = Backward(shape_.c, shape_.d, Vector3{}, shape_.b, shape_.after,
                                                     std::numeric_limits<float>::max(), allowed - after);
         return after + newBackward.energy < allowed &&
-               newBackward.largest2 <= std::max(oldBackward.largest2, tolerable2);
+               newBackward.largest2 <= std::max(oldBackward.largest2, tolerable2) &&
+               !LooksAway(state_.original, hints_[1], NormalOf(shape_.after[0])) &&
+               !LooksAway(state_.original, hints_[2], NormalOf(shape_.after[1]));
     }
     void MeasureForward(double& before, double& after, float& old2, float& new2)
     {
@@ -199,12 +202,11 @@ class EdgeFlipper
         const RefinementParameters& p = state_.parameters;
         const float area0 = p.backwardWeight * faces[0].doubleArea / 2;
         const float area1 = p.backwardWeight * faces[1].doubleArea / 2;
-        std::array<Place, 3> hints;
         std::size_t point = 0;
         points_.Clear();
         const auto add = [&](const Vector3& position, float weight) {
-            hints[point] = NearestOrigin(state_.samples, groups_, {0, groups_.size()}, position);
-            points_.Add(shape_.a + position, weight, 0, &hints[point++]);
+            hints_[point] = NearestOrigin(state_.samples, groups_, {0, groups_.size()}, position);
+            points_.Add(shape_.a + position, weight, 0, &hints_[point++]);
         };
         add(0.5F * (u + v), p.backwardFlippedEdge * (area0 + area1));
         add((1.0F / 3) * (u + v + x), p.backwardFlippedFaces * area0);

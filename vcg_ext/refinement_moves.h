@@ -83,7 +83,7 @@ class VertexMover
             std::max(before.sum * static_cast<double>(p.moveGain), static_cast<double>(negligible));
         if (static_cast<double>(Dot(equations.right, step)) < gain) return false;
         for (int trial = 0; trial < p.trials; ++trial, step = 0.5F * step) {
-            if (!Try(step, before, before.sum - gain)) continue;
+            if (!Try(step, before, before.sum - gain) || FoldsAFace()) continue;
             Accept(v, step);
             return true;
         }
@@ -203,7 +203,17 @@ class VertexMover
         return true;
     }
     bool ForwardStaysBelow(const Vector3& step, double allowed, float limit2);
-
+    /// Would a face of the trial look away from the original below its centroid, and did not before?
+    bool FoldsAFace() const
+    {
+        for (std::size_t i = 0; i < star_.size(); ++i) {
+            const Place below = state_.centroidHints[star_[i].face];
+            if (LooksAway(state_.original, below, NormalOf(trials_[i].triangle)) &&
+                !LooksAway(state_.original, below, NormalOf(star_[i].triangle)))
+                return true;
+        }
+        return false;
+    }
     void Accept(std::uint32_t v, const Vector3& step)
     {
         SurfacePoint& point = state_.simplified.points[v];
