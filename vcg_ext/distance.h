@@ -207,25 +207,33 @@ inline DistanceReport MeasureDistances(const MeshView& original, const Decimated
 {
     using namespace distance_detail;
     threads = ResolveThreads(threads);
+    vcg::Box3d box;
+    for (std::size_t k = 0; k < 3 * original.faceCount; ++k) {
+        const auto p = original.Position(original.triangles[k]);
+        box.Add(vcg::Point3d(p[0], p[1], p[2]));
+    }
+    // The grid's steps are relative to the box: far from the origin they would drown in rounding.
+    const vcg::Point3d center = box.Center();
+    const double scale = box.Diag() > 0 ? 1 / box.Diag() : 1;
+    constexpr double percent = 100;
+    const auto framed = [&](const std::array<double, 3>& p) {
+        return std::array<double, 3>{(p[0] - center[0]) * scale, (p[1] - center[1]) * scale,
+                                     (p[2] - center[2]) * scale};
+    };
     const auto pointOfOriginal = [&](std::size_t v) {
-        const auto p = original.Position(v);
+        const auto p = framed(original.Position(v));
         return vcg::Point3d(p[0], p[1], p[2]);
     };
     const ClosestSurface from(
-        original.vertexCount, original.faceCount, [&](std::size_t v) { return original.Position(v); },
+        original.vertexCount, original.faceCount, [&](std::size_t v) { return framed(original.Position(v)); },
         [&](std::size_t f) {
             const std::uint32_t* t = original.triangles + 3 * f;
             return std::array<std::uint32_t, 3>{t[0], t[1], t[2]};
         });
     const ClosestSurface to(
         simplified.positions.size(), simplified.triangles.size(),
-        [&](std::size_t v) { return simplified.positions[v]; },
+        [&](std::size_t v) { return framed(simplified.positions[v]); },
         [&](std::size_t f) { return simplified.triangles[f]; });
-
-    vcg::Box3d box;
-    for (const MeasuredFace& face : from.Mesh().face)
-        for (int k = 0; k < 3; ++k) box.Add(face.cP(k));
-    const double percent = box.Diag() > 0 ? 100 / box.Diag() : 0;
 
     const auto fromPoints = SamplePoints(from.Mesh(), samples);
     const auto toPoints = SamplePoints(to.Mesh(), samples);

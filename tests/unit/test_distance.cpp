@@ -47,6 +47,15 @@ class TestDistance : public QObject
         QCOMPARE(report.folded, std::size_t{0});
     }
 
+    /// Of the size of the rounding of its coordinates: the answer means little, but it comes.
+    void endsFarFromTheOrigin()
+    {
+        const auto mesh =
+            test_meshes::Moved(test_meshes::Noisy(test_meshes::Box(4), .05), 1, 1e-11, {1e5, 1e5, 1e5});
+        const DistanceReport report = Distances(mesh, mesh);
+        QVERIFY(report.hausdorff < 1e-6);
+    }
+
     void ofAShiftedPlaneIsTheShift()
     {
         const auto plane = test_meshes::Grid(8, 8);
