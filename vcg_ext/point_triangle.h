@@ -111,7 +111,8 @@ inline Float4 OrZero(Int4 keep, Float4 a)
 
 /// \p bx.. \p cz: the second and third corner seen from the first one
 template <class Real>
-inline PreparedTriangle<Real> PrepareTriangle(Real bx, Real by, Real bz, Real cx, Real cy, Real cz)
+[[gnu::always_inline]] inline PreparedTriangle<Real> PrepareTriangle(Real bx, Real by, Real bz, Real cx,
+                                                                     Real cy, Real cz)
 {
     PreparedTriangle<Real> t;
     t.bx = bx, t.by = by, t.bz = bz, t.cx = cx, t.cy = cy, t.cz = cz;
@@ -173,9 +174,10 @@ inline Float4 ClampToUnit(Float4 t)
     return Min(Max(t, Splat(0.0F)), Splat(1.0F));
 }
 
-/// ClosestOnTriangle four times at once. Answers that the caller does not read cost nothing once inlined.
+/// ClosestOnTriangle four times at once. Always inlined: answers that the caller does not read cost nothing.
 template <class Real>
-inline FourClosestPoints ClosestOnTriangle(const FourPoints& p, const PreparedTriangle<Real>& t)
+[[gnu::always_inline]] inline FourClosestPoints ClosestOnTriangle(const FourPoints& p,
+                                                                  const PreparedTriangle<Real>& t)
 {
     const Float4 pb = p.x * t.bx + p.y * t.by + p.z * t.bz, pc = p.x * t.cx + p.y * t.cy + p.z * t.cz;
     const Float4 wb = (t.cc * pb - t.bc * pc) * t.inverseDeterminant;

@@ -183,6 +183,7 @@ class TestRefinement : public QObject
     void topologyStays();
     void noFaceTurns_data();
     void noFaceTurns();
+    void noFaceComesToLookInwards();
     void borderAndFixedVerticesStay();
     void facesBetweenFixedVerticesStay();
     void flipsFollowTheRidge();
@@ -383,6 +384,22 @@ void TestRefinement::noFaceTurns()
     Refine(pair, parameters);
     for (std::uint32_t f = 0; f < pair.simplified.FaceCount(); ++f)
         QVERIFY(Dot(AreaVector(pair.simplified, f), before[f]) > 0);
+}
+
+void TestRefinement::noFaceComesToLookInwards()
+{
+    const auto inwards = [](const SurfaceArrays& sphere) {
+        std::size_t count = 0;
+        for (std::uint32_t f = 0; f < sphere.FaceCount(); ++f)
+            count += Dot(AreaVector(sphere, f), Centroid(sphere, f)) < 0 ? 1 : 0;
+        return count;
+    };
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        Pair pair = MakePair(Icosphere(3), Noisy(Icosphere(2), 0.2, seed)); // noise folds some faces
+        const std::size_t before = inwards(pair.simplified);
+        QVERIFY(Refine(pair).moves > 0);
+        QVERIFY(inwards(pair.simplified) <= before);
+    }
 }
 
 void TestRefinement::borderAndFixedVerticesStay()
