@@ -96,7 +96,7 @@ extern "C" int GarlandHeckbert(PeerMesh* mesh)
     SurfaceMesh surface = ToSurfaceMesh(*mesh);
     {
         const PeerTimer timer(*mesh);
-        simplification::GarlandHeckbert_policies<SurfaceMesh, Kernel> policies(surface);
+        simplification::GarlandHeckbert_plane_policies<SurfaceMesh, Kernel> policies(surface);
         simplification::edge_collapse(surface, FaceCountStop{mesh->targetFaces},
                                       CGAL::parameters::get_cost(policies.get_cost())
                                           .get_placement(policies.get_placement())
