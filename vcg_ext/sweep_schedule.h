@@ -23,9 +23,10 @@ class SweepSchedule
     static constexpr std::uint32_t kCostSamples = 4000;
     static constexpr std::uint32_t kKeySamples = 4000;
     static constexpr double kFewestCandidates = 0.1; ///< part of the vertices that every sweep should reach
-    static constexpr double kNoDistance = 2e-3;      ///< in the frame: two millionths of the diagonal
-    static constexpr float kRatio = 3;               ///< from one threshold to the next
-    static constexpr double kMiddle = 1.8;           ///< times the target: the steps become half as large
+    static constexpr double kDeepReduction = 0.7; ///< with more faces to go, errors of rounding's size drown
+    static constexpr double kNoDistance = 2e-3;   ///< in the frame: two millionths of the diagonal
+    static constexpr float kRatio = 3;            ///< from one threshold to the next
+    static constexpr double kMiddle = 1.8;        ///< times the target: the steps become half as large
     static constexpr float kMiddleRatio = 1.7320508f;
     static constexpr double kNear = 1.3; ///< times the target: small steps, so that the last are well chosen
     static constexpr float kNearRatio = 1.19f;
@@ -104,7 +105,8 @@ class SweepSchedule
         }
         const double part = 1 - static_cast<double>(target) / static_cast<double>(state_.aliveFaces);
         const double quantile = std::clamp(part, 0.0, kHighestStart);
-        return std::clamp(Quantile(std::move(lowest), quantile), LowestUsefulThreshold(), kHighestThreshold);
+        const float floor = part > kDeepReduction ? LowestUsefulThreshold() : kLowestThreshold;
+        return std::clamp(Quantile(std::move(lowest), quantile), floor, kHighestThreshold);
     }
 
     static float Quantile(std::vector<float> values, double part)
