@@ -13,6 +13,7 @@
 #include "host.h"
 #include "results.h"
 #include "values.h"
+#include "vcg_ext/parallel.h"
 
 namespace laplacian_simplify
 {
@@ -22,6 +23,7 @@ namespace laplacian_simplify
 template <class Host>
 Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
 {
+    const vcg_ext::ThreadsOfRun threads; // ends them with the run
     const Values values(
         filter, [&] { return FactsOf(host.Mesh()); }, given);
     RequireUsable(host.Mesh());

@@ -17,6 +17,18 @@ inline int ResolveThreads(int requested)
     return requested > 0 ? requested : std::max(1, omp_get_num_procs());
 }
 
+/// Ends the worker threads when a run ends. They would wait for the next run otherwise, and a process that
+/// forks in between, as Python's multiprocessing does, would wait in its child for threads that only its
+/// parent has.
+class ThreadsOfRun
+{
+  public:
+    ThreadsOfRun() = default;
+    ThreadsOfRun(const ThreadsOfRun&) = delete;
+    ThreadsOfRun& operator=(const ThreadsOfRun&) = delete;
+    ~ThreadsOfRun() { omp_pause_resource_all(omp_pause_hard); }
+};
+
 /// Calls body(item, thread) once for every item in [0, items), on \p threads threads, the next free thread
 /// taking the next item. Returns when all are done; the first exception of a body is thrown on.
 /// \pre bodies of different items share no data that one of them writes, so the outcome cannot depend on
