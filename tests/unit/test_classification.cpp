@@ -23,7 +23,7 @@ using test_meshes::View;
 namespace
 {
 
-double SquaredDistances(std::vector<double> values, const Clusters& clusters)
+double SquaredDistances(const std::vector<double>& values, const Clusters& clusters)
 {
     double sum = 0;
     for (const double x : values) {
@@ -127,6 +127,7 @@ void TestClassification::manyDistinctValuesAreOptimalWithinABin()
     std::mt19937 random(7);
     std::normal_distribution<double> noise(0, .01);
     std::vector<double> values;
+    values.reserve(20400);
     for (int i = 0; i < 20000; ++i) values.push_back(.1 + noise(random));
     for (int i = 0; i < 300; ++i) values.push_back(.7 + noise(random));
     for (int i = 0; i < 100; ++i) values.push_back(1 + noise(random));

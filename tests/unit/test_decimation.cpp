@@ -57,7 +57,7 @@ bool FaceAdjacencyIsRight(Mesh& mesh)
         for (int k = 0; k < 3; ++k) {
             const auto* other = face.FFp(k);
             if (other < &mesh.face.front() || other > &mesh.face.back()) return false;
-            const int j = face.FFi(k);
+            const auto j = static_cast<unsigned char>(face.FFi(k));
             const std::set<const void*> mine{face.V0(k), face.V1(k)}, theirs{other->cV0(j), other->cV1(j)};
             if (mine != theirs) return false;
         }

@@ -200,7 +200,7 @@ void TestDescriptor::flatIsZero()
                     const bool gaussian = row.kind == Descriptor::GaussianCurvature;
                     const bool mean = row.kind == Descriptor::MeanCurvature;
                     if (border && (gaussian || mean)) continue; // VCG: cotangent sums do not close there
-                    const auto v = static_cast<std::size_t>(i + 9 * j);
+                    const auto v = static_cast<std::size_t>(i) + 9 * static_cast<std::size_t>(j);
                     // angle sums of VCG pass through single precision: 2 pi * 6e-8 over an area of .25
                     QVERIFY2(flat[v] <= (gaussian ? 5e-6 : mean ? 1e-12 : 0), row.id);
                     QVERIFY2(tilted[v] <= (gaussian ? 5e-6 : kRounding), row.id);
