@@ -65,12 +65,12 @@ def build_all(folder: Path, vcglib: Path) -> None:
     build_engine(folder, vcglib)
 
 
-def descriptor_report(folder: Path, vcglib: Path, faces: int, rounds: int) -> str:
-    """What the descriptor's own benchmark prints for a mesh of about so many faces."""
+def descriptor_report(folder: Path, vcglib: Path, mesh: Path, rounds: int) -> str:
+    """What the descriptor's own benchmark prints for a mesh."""
     source = HERE / "descriptor_benchmark.cpp"
     program = folder / "descriptor_benchmark"
     includes = ["-I", str(PROJECT), "-isystem", str(vcglib), *EIGEN]
     subprocess.run(["g++", *FLAGS[:3], *OWN_FLAGS, *includes, str(source), "-o", str(program)], check=True)
     return subprocess.run(
-        [str(program), str(faces), str(rounds)], check=True, capture_output=True, text=True
+        [str(program), str(mesh), str(rounds)], check=True, capture_output=True, text=True
     ).stdout.strip()

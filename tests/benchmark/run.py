@@ -112,8 +112,8 @@ class Benchmark:
 
     def descriptor(self):
         measure_host_descriptor(self.workshop, self.store, self.large_mesh(), self.arguments.rounds)
-        faces = 100_000 if self.quick else 1_000_000
-        report = descriptor_report(self.workshop.peers, self.arguments.vcglib, faces, self.arguments.rounds)
+        mesh = self.large_mesh().ply
+        report = descriptor_report(self.workshop.peers, self.arguments.vcglib, mesh, self.arguments.rounds)
         self.store.section("descriptor")["arrays"] = report
 
     def pictures(self):
