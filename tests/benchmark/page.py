@@ -115,7 +115,8 @@ def speed_lines(sections: dict) -> list[str]:
                 f"### {run['faces']:,} faces to {run['percent']:g} %: {text}",
                 "",
                 "Medians over rounds in which the tools take turns; ratios are taken inside a round (median, range). "
-                "Peak memory is counted above the loaded mesh.",
+                "Peak memory is counted above the loaded mesh."
+                + (f" Other work ran beside it: {run['load']:.1f} processes." if run.get("load", 0) > 0.5 else ""),
                 "",
                 *speed.speed_table(run, reference),
                 "",

@@ -6,6 +6,7 @@ Tools run in rounds, one after the other, so that a busy stretch of the machine 
 inside a round, and the page shows their median and range.
 """
 
+import os
 from statistics import median
 
 from tqdm import tqdm
@@ -33,6 +34,7 @@ def measure_speed(workshop: Workshop, store: Store, name: str, mesh: BenchmarkMe
         "mesh": mesh.name,
         "faces": mesh.face_count,
         "percent": percent,
+        "load": os.getloadavg()[0],
         "figures": measure_rounds(workshop, peer_ids, mesh, percent, rounds),
     }
     store.save()
