@@ -48,6 +48,27 @@ def test_one_script_of_all_filters(filters: list[dict], run_script: ScriptHost, 
     assert 0.1 * 0.2 * 23680 - 2 <= faces <= 0.1 * 0.2 * 23680 + 1
 
 
+def test_every_choice(
+    filters: list[dict], filter_row: dict, run_script: ScriptHost, part: Path, tmp_path: Path
+) -> None:
+    """One step for each option of each choice, after the descriptor, whose quality one of the options reads."""
+    descriptor = next(row for row in filters if row["id"] == "descriptor")
+    choices = [
+        {row["id"]: place}
+        for row in filter_row["parameters"]
+        if row["type"] == "choice"
+        for place in range(len(row["options"]))
+    ]
+    kept = {"target_percent": 80} if any(row["id"] == "target_percent" for row in filter_row["parameters"]) else {}
+    steps = [(filter_row, values_of(filter_row, **kept, **choice)) for choice in choices]
+    output = tmp_path / "output.ply"
+    run = run_script(write_script(tmp_path / "s.mlx", (descriptor, values_of(descriptor)), *steps), part, output)
+    assert run.status == 0, run.output
+    before, after = len(MeshData.read(part).faces), len(MeshData.read(output).faces)
+    expected = before * 0.8 ** len(steps) if kept else before
+    assert abs(after - expected) <= 2 * len(steps), run.output  # a collapse may take two faces at once
+
+
 @pytest.mark.parametrize(
     ("name", "value", "said"),
     [
