@@ -50,8 +50,8 @@ def tool_table(section: dict) -> list[str]:
     reference = benchmark_runs(section, REFERENCE)
     lines = [
         "| tool | rms | median (range) of rms | feature rms | Hausdorff | normal deviation | folded faces "
-        "| new non-manifold edges | targets missed | failed runs |",
-        "|---" * 10 + "|",
+        "| new non-manifold edges | targets missed | failed runs | CPU time |",
+        "|---" * 11 + "|",
     ]
     for peer in [*OWN, *PEERS]:
         runs = benchmark_runs(section, peer.id)
@@ -80,6 +80,7 @@ def tool_row(peer: Peer, section: dict, runs: dict, reference: dict, common: lis
         str(sum(run["new_non_manifold_edges"] for run in runs.values())),
         str(missed),
         str(failed),
+        f"{geometric_mean(runs[key]['cpu_seconds'] / reference[key]['cpu_seconds'] for key in common):.2f}",
     ]
     return "| " + " | ".join(figures) + " |"
 
