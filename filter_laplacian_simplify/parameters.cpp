@@ -119,10 +119,10 @@ const std::vector<Parameter>& Parameters()
         {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight",
          "Lambda of Eq. 6. 0: the plain error function.", {}},
         {"effort", {kGuided}, Type::Choice, {1}, Choices(efforts), "", "Effort",
-         "Geometry against time, by docs/benchmark.md: fast only collapses. Balanced also refines: half as long "
-         "again as fast, for 8 % less rms and 11 % less feature rms. Best collapses in the order of the "
-         "measured error, on one thread whatever the order, and refines: as long as CGAL's Lindstrom-Turk, "
-         "for 9 % less rms and a third less feature rms than fast.", efforts},
+         "Geometry against time, by docs/benchmark.md: fast only collapses. Balanced also refines: 1.7 times as "
+         "long as fast, for 10 % less rms and 17 % less feature rms. Best collapses in the order of the "
+         "measured error, on one thread whatever the order, and refines: about as long as CGAL's "
+         "Lindstrom-Turk, for 11 % less rms and 37 % less feature rms than fast.", efforts},
         {"descriptor", {kDescriptor}, Type::Choice, {0}, Choices(computed), "", "Descriptor",
          "What is computed.", computed},
         {"descriptor", {kSelection}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
