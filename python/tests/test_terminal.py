@@ -54,7 +54,13 @@ def test_no_progress_elsewhere(tmp_path: Path) -> None:
 def test_a_stopped_run_leaves_nothing(stop: signal.Signals, tmp_path: Path) -> None:
     words = [sys.executable, "-P", "-m", "laplacian_simplify", "simplify", SCAN, tmp_path / "out.ply"]
     words += ["--percent", "1", "--effort", "best", "--threads", "1"]
-    process = subprocess.Popen(list(map(str, words)), stderr=subprocess.PIPE, text=True)
+    # A shell starts its background jobs with Ctrl+C ignored, and what is ignored stays so in their children.
+    process = subprocess.Popen(
+        list(map(str, words)),
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(stop, signal.SIG_DFL),
+    )
     deadline = time.monotonic() + 60
     while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
         time.sleep(0.01)
