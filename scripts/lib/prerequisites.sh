@@ -5,7 +5,8 @@
 # Packages of the distribution that the project needs: the only part that wants root.
 build_packages=(g++ cmake ninja-build ccache qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
     python3 python3-venv libgl1 libopengl0 ca-certificates dpkg-dev xz-utils)
-test_packages=(git clang-format-14 clang-tidy-14 xvfb xauth openbox xdotool imagemagick)
+# libomp: the omp.h that clang-tidy reads; the one of gcc is not on its way.
+test_packages=(git clang-format-14 clang-tidy-14 libomp-14-dev xvfb xauth openbox xdotool imagemagick)
 
 # Prints those of the given packages that are not installed.
 missing_packages() {
