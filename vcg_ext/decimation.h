@@ -25,6 +25,7 @@
 #include "refine_decimated.h"
 #include "strict_decimation.h"
 #include "sweep_decimation.h"
+#include "unfold.h"
 
 namespace vcg_ext
 {
@@ -90,13 +91,21 @@ inline DecimatedMesh DecimateStrictly(const MeshView& view, const DecimationPara
     return std::move(result.mesh);
 }
 
-/// The collapse and refinement of a view by the order asked for. Effort Best measures what every collapse
-/// would change, which only the strict order can do: it is strict whatever the order asked for.
-/// \pre CheckParameters and CheckMesh pass
+/// Collapse, refinement and the mending of folded faces, by the order asked for. Effort Best measures what
+/// every collapse would change, which only the strict order can do: it is strict whatever the order asked
+/// for. \pre CheckParameters and CheckMesh pass
 inline DecimatedMesh Decimate(const MeshView& view, const DecimationParameters& parameters)
 {
+    constexpr int kUnfoldingPart = 95; // begins there, roughly
     const bool strict = parameters.order == Order::Strict || parameters.effort == Effort::Best;
-    return strict ? DecimateStrictly(view, parameters) : DecimateSweeps(view, parameters);
+    DecimationParameters part = parameters;
+    part.progress = ProgressPart(parameters.progress, 0, kUnfoldingPart);
+    DecimatedMesh mesh = strict ? DecimateStrictly(view, part) : DecimateSweeps(view, part);
+    if (mesh.stopReason == StopReason::Cancelled) return mesh;
+    const Progress progress = ProgressPart(parameters.progress, kUnfoldingPart, 100);
+    if (UnfoldFaces(view, mesh, ResolveThreads(parameters.threads), progress).cancelled)
+        mesh.stopReason = StopReason::Cancelled;
+    return mesh;
 }
 
 /// What there is to say about a result, without the time that it took.

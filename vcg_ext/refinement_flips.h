@@ -17,25 +17,15 @@
 #include "refinement_star.h"
 #include "surface_arrays.h"
 #include "surface_corners.h"
+#include "surface_flip.h"
 
 namespace vcg_ext::refinement
 {
-
-/// Faces that a vertex may gain by flips.
-constexpr std::uint32_t kFlipRoom = 3;
 
 /// Exchanges the diagonal of two faces where that is allowed and saves energy.
 /// One object per thread; it holds nothing but scratch between two calls.
 class EdgeFlipper
 {
-    /// An edge a b with the faces (a, b, c) and (b, a, d); the flip makes them (a, d, c) and (b, c, d).
-    struct Edge {
-        Corner atA, atB; ///< of a in the first face, of b in the second
-        std::uint32_t a, b, c, d;
-
-        std::uint32_t First() const { return FaceOf(atA); }
-        std::uint32_t Second() const { return FaceOf(atB); }
-    };
     /// Seen from a.
     struct Shape {
         Vector3 a, b, c, d; ///< a is absolute, the others are differences from it
@@ -44,7 +34,7 @@ class EdgeFlipper
 
     State& state_;
     BackwardSearch search_;
-    Edge edge_{};
+    FlippableEdge edge_{};
     Shape shape_;
     SampleGroups groups_;
     BackwardPoints points_;
@@ -69,68 +59,19 @@ class EdgeFlipper
   private:
     bool Flip(std::uint32_t v, std::uint32_t w)
     {
-        if (!FindEdge(v, w)) return false;
+        const auto edge = FindFlippableEdge(state_.simplified, v, w);
+        if (!edge) return false;
+        edge_ = *edge;
         const RefinementParameters& p = state_.parameters;
         SampleSummary summary;
         Add(state_.samples.faces[edge_.First()], summary);
         Add(state_.samples.faces[edge_.Second()], summary);
         const float needed = p.flipGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count == 0 || summary.energy < needed) return false;
-        if (!ShapeAllows() || AreNeighbours(edge_.c, edge_.d)) return false;
+        if (!ShapeAllows() || AreNeighbours(state_.simplified, edge_.c, edge_.d)) return false;
         if (!SavesEnergy(static_cast<double>(needed))) return false;
         Accept();
         return true;
-    }
-
-    bool IsFixed(std::uint32_t v) const { return (state_.simplified.flags[v] & kFixedVertex) != 0; }
-
-    /// Is v w an edge of exactly two faces of opposite direction, with different third corners, that may go?
-    /// An edge between fixed vertices stays, and with it every face that has no other corners.
-    bool FindEdge(std::uint32_t v, std::uint32_t w)
-    {
-        const SurfaceArrays& surface = state_.simplified;
-        if (IsFixed(v) && IsFixed(w)) return false;
-        const bool small = surface.cornerCount[v] <= surface.cornerCount[w];
-        const std::uint32_t hub = small ? v : w, other = small ? w : v;
-        std::size_t leaving = 0, arriving = 0;
-        Corner out = 0, in = 0;
-        for (const Corner* c = BeginCorners(surface, hub); c != EndCorners(surface, hub); ++c) {
-            if (NextVertex(surface, *c) == other) {
-                out = *c;
-                ++leaving;
-            }
-            if (PreviousVertex(surface, *c) == other) {
-                in = *c;
-                ++arriving;
-            }
-        }
-        if (leaving != 1 || arriving != 1) return false;
-        const std::uint32_t third = NextVertex(surface, in);
-        const int before[3] = {2, 0, 1};
-        edge_.a = hub;
-        edge_.b = other;
-        edge_.c = PreviousVertex(surface, out);
-        edge_.d = third;
-        edge_.atA = out;
-        edge_.atB = MakeCorner(FaceOf(in), before[IndexOf(in)]);
-        return edge_.c != edge_.d && HasRoom();
-    }
-    bool HasRoom() const
-    {
-        const SurfaceArrays& surface = state_.simplified;
-        constexpr std::uint32_t kFewestFaces = 3; // around a vertex that has lost one
-        const auto full = [&](std::uint32_t v) {
-            return surface.cornerCount[v] >= CornerCapacity(surface, v);
-        };
-        return surface.cornerCount[edge_.a] > kFewestFaces && surface.cornerCount[edge_.b] > kFewestFaces &&
-               !full(edge_.c) && !full(edge_.d);
-    }
-    bool AreNeighbours(std::uint32_t v, std::uint32_t w) const
-    {
-        const SurfaceArrays& surface = state_.simplified;
-        if (surface.cornerCount[v] > surface.cornerCount[w]) std::swap(v, w);
-        return std::any_of(BeginCorners(surface, v), EndCorners(surface, v),
-                           [&](Corner c) { return HasVertex(surface.triangles[FaceOf(c)], w); });
     }
 
     /// Fills shape_. Would the new faces be sound, and look where the old ones looked?
@@ -216,16 +157,8 @@ class EdgeFlipper
 
     void Accept()
     {
-        SurfaceArrays& surface = state_.simplified;
         const std::array<std::uint32_t, 2> faces{edge_.First(), edge_.Second()};
-        const Corner atB = MakeCorner(faces[0], (IndexOf(edge_.atA) + 1) % 3);
-        const Corner atA = MakeCorner(faces[1], (IndexOf(edge_.atB) + 1) % 3);
-        RemoveCorner(surface, edge_.b, atB);
-        RemoveCorner(surface, edge_.a, atA);
-        surface.triangles[faces[0]].v[IndexOf(atB)] = edge_.d;
-        surface.triangles[faces[1]].v[IndexOf(atA)] = edge_.c;
-        AddCorner(surface, edge_.d, atB);
-        AddCorner(surface, edge_.c, atA);
+        FlipEdge(state_.simplified, edge_);
         for (const std::uint32_t face : faces) {
             state_.centroidHints[face] = kNone;
             for (int k = 0; k < 3; ++k) state_.edgeHints[EdgeHint(MakeCorner(face, k))] = kNone;

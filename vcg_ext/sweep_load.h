@@ -176,12 +176,14 @@ class SweepLoader
         std::size_t at = 0;
         for (std::uint32_t v = 0; v < view_.vertexCount; ++v)
             if (HasRecord(v)) vertices[at++].origin = v;
-        const MortonGrid grid(low_, high_);
+        constexpr int kBitsPerAxis = 8;
+        using Grid = MortonGrid<kBitsPerAxis>;
+        const Grid grid(low_, high_);
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 vertices[i].code = grid.Code(view_.Position(vertices[i].origin));
         });
-        SortByCode(vertices, threads_);
+        SortByCode<Grid::kCodeBits>(vertices, threads_);
         return vertices;
     }
 

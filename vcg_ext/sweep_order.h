@@ -15,10 +15,10 @@ namespace vcg_ext::sweeps
 {
 
 /// Cells of a box, numbered along a Morton curve: neighbours in space have numbers near each other.
+/// \tparam kBitsPerAxis at most 10
+template <int kBitsPerAxis>
 class MortonGrid
 {
-    static constexpr int kBitsPerAxis = 8;
-
     std::array<double, 3> low_;
     double scale_;
 
@@ -44,9 +44,10 @@ class MortonGrid
     }
 
   private:
-    /// Every third bit of the result is one of the lowest 8 of \p x.
+    /// Every third bit of the result is one of the lowest 10 of \p x.
     static std::uint32_t SpreadBits(std::uint32_t x)
     {
+        x = (x | x << 16) & 0x030000FFu;
         x = (x | x << 8) & 0x0300F00Fu;
         x = (x | x << 4) & 0x030C30C3u;
         return (x | x << 2) & 0x09249249u;
@@ -58,10 +59,11 @@ struct OrderedVertex {
     std::uint32_t code, origin;
 };
 
-/// Sorts by the code; equal codes stay in their order.
-inline void SortByCode(Buffer<OrderedVertex>& vertices, int threads)
+/// Sorts by codes of so many bits; equal codes stay in their order.
+template <int kCodeBits>
+void SortByCode(Buffer<OrderedVertex>& vertices, int threads)
 {
-    constexpr int kDigitBits = MortonGrid::kCodeBits / 2;
+    constexpr int kDigitBits = (kCodeBits + 1) / 2;
     constexpr std::uint32_t kDigits = std::uint32_t{1} << kDigitBits;
     Buffer<OrderedVertex> sorted(vertices.size());
     for (const int shift : {0, kDigitBits}) {

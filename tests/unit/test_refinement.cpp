@@ -269,7 +269,7 @@ void TestRefinement::everySampleKnowsItsFaceAndItsDistance()
         using namespace vcg_ext::refinement;
         Pair pair = MakePair(family.original, family.simplified);
         SurfaceArrays& surface = pair.simplified;
-        vcg_ext::MakeRoomForCorners(surface, kFlipRoom);
+        vcg_ext::MakeRoomForCorners(surface, vcg_ext::kFlipRoom);
         const RefinementParameters parameters;
         State state{pair.original,
                     surface,

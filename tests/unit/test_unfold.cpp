@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "analytic_meshes.h"
+#include "test_meshes.h"
+#include "vcg_ext/decimation.h"
+#include "vcg_ext/face_tree.h"
+#include "vcg_ext/unfold.h"
+
+using namespace test_meshes;
+using vcg_ext::DecimatedMesh;
+using vcg_ext::FaceTree;
+using vcg_ext::SurfaceArrays;
+using vcg_ext::Vector3;
+
+namespace
+{
+
+constexpr float kFar = std::numeric_limits<float>::max();
+
+/// What a tree answers, by a look at every face.
+struct Truth {
+    float along2 = kFar, against2 = kFar;
+};
+Truth LookAtAll(const SurfaceArrays& surface, const Vector3& p, const Vector3& direction)
+{
+    Truth truth;
+    for (std::uint32_t f = 0; f < surface.FaceCount(); ++f) {
+        const auto& v = surface.triangles[f].v;
+        const Vector3 a = PositionOf(surface, v[0]);
+        const float d2 =
+            vcg_ext::ClosestOnTriangle(p - a, PositionOf(surface, v[1]) - a, PositionOf(surface, v[2]) - a)
+                .distance2;
+        float& side = Dot(AreaVector(surface, f), direction) < 0 ? truth.against2 : truth.along2;
+        side = std::min(side, d2);
+    }
+    return truth;
+}
+
+/// An original and what a decimation is taken to have made of it, face by face in the same order.
+DecimatedMesh AsDecimated(const IndexedMesh& mesh)
+{
+    DecimatedMesh result;
+    result.positions = mesh.points;
+    result.triangles = mesh.triangles;
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) result.vertexOrigin.push_back(v);
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) result.faceOrigin.push_back(f);
+    return result;
+}
+
+/// A sphere in a slightly larger one that looks the other way: a shell with an inside and an outside.
+IndexedMesh Shell(int levels, double thickness)
+{
+    IndexedMesh inner = Icosphere(levels);
+    for (auto& p : inner.points)
+        for (double& x : p) x *= 1 - thickness;
+    for (auto& t : inner.triangles) std::swap(t[1], t[2]);
+    return Merged(Icosphere(levels), inner);
+}
+
+/// A plane with one inner vertex pushed over the far side of a face around it.
+IndexedMesh PlaneWithFold()
+{
+    IndexedMesh mesh = Grid(8, 8);
+    for (auto& p : mesh.points)
+        if (std::abs(p[0] - 4) < 0.1 && std::abs(p[1] - 4) < 0.1) p = {5.3, 4.2, 0};
+    return mesh;
+}
+
+std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
+{
+    return vcg_ext::UnfoldFaces(View(original), mesh, 1).before;
+}
+
+double Rms(const IndexedMesh& original, const DecimatedMesh& mesh)
+{
+    const std::vector<double> descriptor(original.points.size(), 0.0);
+    return vcg_ext::MeasureDistances(View(original), mesh, descriptor, 20000, 1).rms;
+}
+
+} // namespace
+
+class TestUnfold : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void treeAnswersLikeALookAtEveryFace()
+    {
+        for (const IndexedMesh& mesh : {Noisy(Icosphere(3), 0.05), Shell(2, 0.03), Box(1), Grid(1, 1)}) {
+            const auto frame = vcg_ext::FrameOf(View(mesh));
+            const SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
+            const FaceTree tree(View(mesh), frame, 2);
+            std::mt19937 random(7);
+            std::normal_distribution<float> gauss;
+            for (int i = 0; i < 400; ++i) {
+                const auto vector = [&] { return Vector3{gauss(random), gauss(random), gauss(random)}; };
+                const Vector3 p = 300.0F * vector(), towards = vector();
+                const Vector3 direction = (1 / Norm(towards)) * towards;
+                const Truth truth = LookAtAll(surface, p, direction);
+                const float nearest2 = std::min(truth.along2, truth.against2);
+                // single precision at distances of hundreds: a few units in the seventh digit of 300^2
+                const auto close = [](float a, float b) { return std::abs(a - b) <= 1e-4F * b + 0.01F; };
+                QVERIFY(close(tree.Distance2(p), nearest2));
+                QVERIFY(close(SquaredNorm(tree.Closest(p) - p), nearest2));
+                if (truth.along2 < kFar) QVERIFY(close(tree.DistanceAlong2(p, direction), truth.along2));
+                // within a thousandth it may be an edge of both sides, and either answer is right
+                if (std::abs(truth.along2 - truth.against2) <= 1e-3F * nearest2) continue;
+                const bool against = truth.against2 < truth.along2;
+                QCOMPARE(tree.LooksAgainst(p, direction), against);
+                if (truth.along2 < kFar) QCOMPARE(tree.LooksAgainst(p, direction, 4 * truth.along2), against);
+            }
+        }
+    }
+
+    void treeFindsWhatIsInABox()
+    {
+        const IndexedMesh mesh = Grid(16, 16);
+        const auto frame = vcg_ext::FrameOf(View(mesh));
+        const SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
+        const FaceTree tree(View(mesh), frame, 1);
+        const Vector3 low{-100, 20, -1}, high{-50, 90, 1};
+        std::vector<int> visits(mesh.triangles.size(), 0);
+        tree.ForEachNear(low, high,
+                         [&](std::uint32_t f, const Vector3& a, const Vector3& ab, const Vector3&) {
+                             ++visits[f];
+                             QVERIFY(Norm(a - PositionOf(surface, surface.triangles[f].v[0])) < 1e-3F);
+                             QVERIFY(Norm(a + ab - PositionOf(surface, surface.triangles[f].v[1])) < 1e-3F);
+                         });
+        for (std::uint32_t f = 0; f < visits.size(); ++f) {
+            const Vector3 c = Centroid(surface, f);
+            const bool inside = c.x > low.x && c.x < high.x && c.y > low.y && c.y < high.y;
+            QVERIFY(visits[f] <= 1 && (visits[f] == 1 || !inside));
+        }
+    }
+
+    void vertexPushedAcrossAnEdgeIsBroughtBack()
+    {
+        const IndexedMesh plane = Grid(8, 8);
+        DecimatedMesh mesh = AsDecimated(PlaneWithFold());
+        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, 1);
+        QVERIFY(report.before > 0);
+        QCOMPARE(report.after, std::size_t{0});
+        QCOMPARE(Folded(plane, mesh), std::size_t{0});
+        QCOMPARE(mesh.triangles.size(), plane.triangles.size());
+        const auto edges =
+            vcg_ext::CountEdges(mesh.triangles.size(), [&](std::size_t f) { return mesh.triangles[f]; });
+        QCOMPARE(edges.nonManifold, std::size_t{0});
+        QCOMPARE(edges.boundary, std::size_t{32});
+        for (std::size_t v = 0; v < plane.points.size(); ++v) { // the border is where it was
+            const bool border = plane.points[v][0] < 0.1 || plane.points[v][0] > 7.9 ||
+                                plane.points[v][1] < 0.1 || plane.points[v][1] > 7.9;
+            if (border) QVERIFY(mesh.positions[v] == plane.points[v]);
+        }
+    }
+
+    void fixedVerticesAndTheirEdgesStay()
+    {
+        const IndexedMesh plane = Grid(8, 8);
+        const DecimatedMesh folded = AsDecimated(PlaneWithFold());
+        const std::vector<std::uint8_t> fixed(plane.points.size(), 1);
+        auto view = View(plane);
+        view.fixedVertices = fixed.data();
+        DecimatedMesh mesh = folded;
+        const auto report = vcg_ext::UnfoldFaces(view, mesh, 1);
+        QVERIFY(report.before > 0);
+        QCOMPARE(report.after, report.before);
+        QVERIFY(mesh.positions == folded.positions);
+        QVERIFY(mesh.triangles == folded.triangles);
+    }
+
+    void meshWithoutFoldsKeepsItsBytes()
+    {
+        const IndexedMesh sphere = Noisy(Icosphere(3), 0.002);
+        const DecimatedMesh before = AsDecimated(sphere);
+        DecimatedMesh mesh = before;
+        const auto report = vcg_ext::UnfoldFaces(View(sphere), mesh, 1);
+        QCOMPARE(report.before, std::size_t{0});
+        QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
+    }
+
+    /// The faces of a coarse sphere dip by more than half the wall's thickness: they are closer to the
+    /// inside.
+    void wallThinnerThanTheErrorIsUnfolded()
+    {
+        const IndexedMesh shell = Shell(4, 0.02);
+        vcg_ext::DecimationParameters parameters;
+        parameters.targetFaces = 300;
+        parameters.effort = vcg_ext::Effort::Fast;
+        parameters.threads = 1;
+        const DecimatedMesh collapsed = vcg_ext::DecimateSweeps(View(shell), parameters);
+        const std::size_t before = Folded(shell, collapsed);
+        QVERIFY(before > 20);
+        for (const auto effort : {vcg_ext::Effort::Fast, vcg_ext::Effort::Balanced, vcg_ext::Effort::Best}) {
+            parameters.effort = effort;
+            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
+            QVERIFY(10 * Folded(shell, mesh) <= before);
+            QCOMPARE(mesh.triangles.size(), collapsed.triangles.size());
+            // mendings that would raise the local error by more than a tenth are few: the whole stays near
+            QVERIFY(Rms(shell, mesh) < 1.1 * Rms(shell, collapsed));
+        }
+    }
+
+    void bytesDoNotDependOnThreads()
+    {
+        const IndexedMesh shell = Shell(4, 0.02);
+        vcg_ext::DecimationParameters parameters;
+        parameters.targetFaces = 500;
+        std::optional<DecimatedMesh> first;
+        for (const int threads : {1, 2, 3, 7}) {
+            parameters.threads = threads;
+            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
+            if (!first) first = mesh;
+            QVERIFY(mesh.positions == first->positions);
+            QVERIFY(mesh.triangles == first->triangles);
+        }
+    }
+
+    void stopsWhereItIsAskedTo()
+    {
+        const IndexedMesh plane = Grid(8, 8);
+        const DecimatedMesh before = AsDecimated(PlaneWithFold());
+        DecimatedMesh mesh = before;
+        int calls = 0;
+        const auto report =
+            vcg_ext::UnfoldFaces(View(plane), mesh, 1, [&](int, const char*) { return ++calls < 2; });
+        QVERIFY(report.cancelled);
+        QCOMPARE(calls, 2);
+        QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestUnfold)
+#include "test_unfold.moc"
