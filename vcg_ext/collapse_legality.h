@@ -25,6 +25,7 @@ class CollapseLegality
     RingEdges<Mesh> removedRing_, keptRing_;
     std::vector<VertexType*> apexes_; ///< third vertices of the faces on the edge
     std::vector<OppositeEdge> removedLink_;
+    bool closesHoles_ = false;
 
     /// Collects both rings and the apexes. \return the edge that joins the two, null where none does
     const Edge* Collect(VertexType& removed, VertexType& kept)
@@ -46,12 +47,22 @@ class CollapseLegality
         return corner.End();
     }
 
-    /// Both ends see no vertex but the third ones of the faces between them, and each of those once.
-    bool CommonNeighboursAreApexes() const
+    /// Is \p edge, of the ring of the one that stays, a side of a hole with three sides that a collapse of
+    /// the side \p joining would close?
+    bool ClosesHole(const Edge& joining, const Edge& edge) const
+    {
+        const Edge* other = removedRing_.Find(*edge.neighbour);
+        return joining.faceCount == 1 && edge.faceCount == 1 && other != nullptr && other->faceCount == 1 &&
+               BoundaryDegree(keptRing_.edges()) == 2 && BoundaryDegree(removedRing_.edges()) == 2;
+    }
+
+    /// Both ends see no vertex but the third ones of the faces between them, and each of those once; and,
+    /// where holes may be closed, the third corner of a hole.
+    bool CommonNeighboursAreApexes(const Edge& joining) const
     {
         std::size_t common = 0;
         for (const Edge& edge : keptRing_.edges())
-            if (removedRing_.Find(*edge.neighbour)) ++common;
+            if (removedRing_.Find(*edge.neighbour) && !(closesHoles_ && ClosesHole(joining, edge))) ++common;
         if (common != apexes_.size()) return false;
         for (std::size_t i = 0; i < apexes_.size(); ++i)
             if (std::find(apexes_.begin(), apexes_.begin() + static_cast<std::ptrdiff_t>(i), apexes_[i]) !=
@@ -113,12 +124,15 @@ class CollapseLegality
   public:
     explicit CollapseLegality(const Mesh& mesh) : removedRing_(mesh), keptRing_(mesh) {}
 
+    /// From now on holes with three sides may be closed. \return false if they might before
+    bool LetHolesClose() { return !std::exchange(closesHoles_, true); }
+
     /// Whether the collapse of \p removed into \p kept makes no non-manifold edge or vertex, no duplicate
     /// face and no vertex without faces that was not there before.
     bool StaysManifold(VertexType& removed, VertexType& kept)
     {
         const Edge* edge = Collect(removed, kept);
-        if (edge == nullptr || !CommonNeighboursAreApexes()) return false;
+        if (edge == nullptr || !CommonNeighboursAreApexes(*edge)) return false;
         if (edge->faceCount != 1 && TouchesBorder(removedRing_.edges()) && TouchesBorder(keptRing_.edges()))
             return false;
         return !MakesDuplicateFace(removed, kept) && !LeavesIsolatedVertex(removed, kept);

@@ -144,6 +144,7 @@ class QueuedCollapse
 /// - `double Estimate(removed, kept)`: cheap, at most what Assess will say or not much more;
 /// - `std::optional<CollapseAssessment> Assess(removed, kept, affordable)`: nothing where it is refused;
 /// - `bool IsLegal(removed, kept)`: topology;
+/// - `bool BeginLastResort()`: no legal collapse is left; true if from now on more are;
 /// - `CoordType Merge(removed, kept, placement)`: its books; returns the survivor's position in the mesh;
 /// - `void Refresh(kept, ring)`: its books, after the collapse.
 template <class Mesh, class Method>
@@ -183,8 +184,9 @@ class CollapseRun : public vcg::BaseParameterClass
         std::push_heap(optimization_.h.begin(), optimization_.h.end());
     }
 
-    /// Queues the refused pairs whose surroundings have changed since. \return whether there were any
-    bool RetryRefused()
+    /// Queues the refused pairs whose surroundings have changed since, or \p all that are still there.
+    /// \return whether there were any
+    bool RetryRefused(bool all)
     {
         std::vector<RefusedPair> waiting;
         waiting.swap(refused_);
@@ -195,7 +197,7 @@ class CollapseRun : public vcg::BaseParameterClass
             if (removed.IsD() || kept.IsD() || refused.time < removed.cIMark() ||
                 refused.time < kept.cIMark())
                 continue; // gone, or queued anew around the survivor of a collapse
-            if (HasChangedSince(removed, kept, refused.time))
+            if (all || HasChangedSince(removed, kept, refused.time))
                 Push(Collapse({&removed, &kept}, now_, this));
             else
                 refused_.push_back(refused);
@@ -277,8 +279,9 @@ class CollapseRun : public vcg::BaseParameterClass
             const std::size_t next = Faces() - std::min(step, Faces() - targetFaces);
             optimization_.SetTargetSimplices(static_cast<int>(next));
             optimization_.DoOptimization();
-            const bool retrying = RetryRefused();
-            if (Faces() > next && !retrying) return StopReason::NoLegalCollapse;
+            const bool retrying = RetryRefused(false);
+            if (Faces() > next && !retrying && !(method_.BeginLastResort() && RetryRefused(true)))
+                return StopReason::NoLegalCollapse;
             const std::size_t done = before - std::max(Faces(), targetFaces);
             if (progress &&
                 !progress(static_cast<int>(100 * done / (before - targetFaces)), "Collapsing edges"))

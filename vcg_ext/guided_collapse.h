@@ -189,6 +189,9 @@ class GuidedCollapse
                (!parameters_.preserveTopology || legality_.MeetsLinkCondition(kept));
     }
 
+    /// Where nothing else is left, holes with three sides may close.
+    bool BeginLastResort() { return !parameters_.preserveTopology && legality_.LetHolesClose(); }
+
     CoordType Merge(VertexType& removed, VertexType& kept, const Point& placement)
     {
         const std::size_t from = IndexOf(removed), into = IndexOf(kept);

@@ -176,6 +176,7 @@ class WeightedCollapse
     }
 
     bool IsLegal(VertexType& removed, VertexType& kept) { return legality_.StaysManifold(removed, kept); }
+    static constexpr bool BeginLastResort() { return false; }
 
     CoordType Merge(VertexType& removed, VertexType& kept, const Point& placement)
     {

@@ -138,6 +138,7 @@ class TestStrictDecimation : public QObject
     void linkConditionKeepsTheTopology();
     void reachesTargetsThatCanBeReached();
     void saysWhyATargetIsOutOfReach();
+    void closesHolesOnlyWhereTheTargetNeedsIt();
     void planeStaysExact();
     void boxKeepsItsCorners();
     void doesNotDependOnSizeAndPlace();
@@ -337,6 +338,25 @@ void TestStrictDecimation::rootsLeadToSurvivors()
         QCOMPARE(std::size_t(decimation.root[decimation.mesh.vertexOrigin[v]]), v);
     QVERIFY(std::is_sorted(decimation.mesh.vertexOrigin.begin(), decimation.mesh.vertexOrigin.end()));
     QVERIFY(std::is_sorted(decimation.mesh.faceOrigin.begin(), decimation.mesh.faceOrigin.end()));
+}
+
+void TestStrictDecimation::closesHolesOnlyWhereTheTargetNeedsIt()
+{
+    IndexedMesh mesh = Icosphere(3);
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);
+    for (const auto effort : {Effort::Fast, Effort::Best}) {
+        DecimationParameters parameters;
+        parameters.effort = effort;
+        QVERIFY(FindDefects(ResultOf(Decimated(mesh, 100, parameters))).borderEdges > 0);
+        const StrictDecimation closed = Decimated(mesh, 4, parameters);
+        QCOMPARE(closed.mesh.stopReason, StopReason::Target);
+        const auto defects = FindDefects(ResultOf(closed));
+        QCOMPARE(defects.borderEdges + defects.nonManifoldEdges + defects.nonManifoldFans, 0);
+        parameters.preserveTopology = true;
+        const StrictDecimation open = Decimated(mesh, 1, parameters);
+        QCOMPARE(open.mesh.stopReason, StopReason::NoLegalCollapse);
+        QVERIFY(FindDefects(ResultOf(open)).borderEdges > 0);
+    }
 }
 
 void TestStrictDecimation::twoRunsGiveTheSameBytes()
