@@ -7,6 +7,9 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace vcg_ext
 {
@@ -21,14 +24,24 @@ class Buffer
 {
     static_assert(std::is_trivially_copyable_v<T>, "Buffer leaves its values uninitialised");
     static constexpr std::align_val_t kAlignment{64};
+    static constexpr std::size_t kLargePage = 1 << 21;
     /// Values that vector code may read (never use) behind the last one.
     static constexpr std::size_t kReadablePadding = 64;
 
     struct Free {
-        void operator()(T* data) const { ::operator delete(data, kAlignment); }
+        std::align_val_t alignment = kAlignment;
+        void operator()(T* data) const { ::operator delete(data, alignment); }
     };
     std::unique_ptr<T, Free> data_;
     std::size_t size_ = 0;
+
+    void Allocate(std::size_t bytes, std::align_val_t alignment, std::size_t size)
+    {
+        data_.reset();
+        size_ = 0;
+        data_ = std::unique_ptr<T, Free>(static_cast<T*>(::operator new(bytes, alignment)), Free{alignment});
+        size_ = size;
+    }
 
   public:
     Buffer() = default;
@@ -42,31 +55,71 @@ class Buffer
     }
 
     /// Drops the content and takes room for \p size values. \throws std::bad_alloc
-    void Allocate(std::size_t size)
+    void Allocate(std::size_t size) { Allocate((size + kReadablePadding) * sizeof(T), kAlignment, size); }
+
+    /// The same for values that are visited in no order of theirs: on pages of 2 MiB, where the system has
+    /// such. The first touch of a small page costs as much as the work on all that is in it.
+    void AllocateOnLargePages(std::size_t size)
     {
-        data_.reset();
-        size_ = 0;
-        data_.reset(static_cast<T*>(::operator new((size + kReadablePadding) * sizeof(T), kAlignment)));
-        size_ = size;
+        const std::size_t bytes = (size + kReadablePadding) * sizeof(T);
+        if (bytes < 2 * kLargePage) return Allocate(size);
+        const std::size_t pages = (bytes + kLargePage - 1) / kLargePage;
+        Allocate(pages * kLargePage, std::align_val_t{kLargePage}, size);
+#if defined(__linux__)
+        madvise(data_.get(), pages * kLargePage, MADV_HUGEPAGE); // a hint: it may fail
+#endif
     }
     /// Forgets all but the first \p size values; the memory stays. \pre size <= size()
-    void Shrink(std::size_t size) { size_ = size; }
+    void Shrink(std::size_t size)
+    {
+        size_ = size;
+    }
     void Release()
     {
         data_.reset();
         size_ = 0;
     }
 
-    std::size_t size() const { return size_; }
-    bool empty() const { return size_ == 0; }
-    T* data() { return data_.get(); }
-    const T* data() const { return data_.get(); }
-    T* begin() { return data(); }
-    T* end() { return data() + size_; }
-    const T* begin() const { return data(); }
-    const T* end() const { return data() + size_; }
-    T& operator[](std::size_t i) { return data_.get()[i]; }
-    const T& operator[](std::size_t i) const { return data_.get()[i]; }
+    std::size_t size() const
+    {
+        return size_;
+    }
+    bool empty() const
+    {
+        return size_ == 0;
+    }
+    T* data()
+    {
+        return data_.get();
+    }
+    const T* data() const
+    {
+        return data_.get();
+    }
+    T* begin()
+    {
+        return data();
+    }
+    T* end()
+    {
+        return data() + size_;
+    }
+    const T* begin() const
+    {
+        return data();
+    }
+    const T* end() const
+    {
+        return data() + size_;
+    }
+    T& operator[](std::size_t i)
+    {
+        return data_.get()[i];
+    }
+    const T& operator[](std::size_t i) const
+    {
+        return data_.get()[i];
+    }
 };
 
 } // namespace vcg_ext
