@@ -211,12 +211,17 @@ void AddFaces(const MeshView& mesh, Star<Position>* stars, std::size_t first, st
     constexpr std::size_t kAhead = 24; // faces that memory takes to answer
     const bool all = last - first == mesh.vertexCount;
     StarPass<Position> pass(stars, first, last);
-    for (std::size_t f = 0; f < mesh.faceCount; ++f) {
+    const auto add = [&](std::size_t f) {
         const std::uint32_t* v = mesh.triangles + 3 * f;
-        const std::uint32_t* ahead = mesh.triangles + 3 * std::min(f + kAhead, mesh.faceCount - 1);
-        for (std::size_t k = 0; k < 3; ++k) Prefetch(stars + ahead[k]);
         if (all || pass.IsMine(v[0]) || pass.IsMine(v[1]) || pass.IsMine(v[2])) pass.Add(v);
+    };
+    std::size_t f = 0;
+    for (; f + kAhead < mesh.faceCount; ++f) {
+        const std::uint32_t* ahead = mesh.triangles + 3 * (f + kAhead);
+        for (std::size_t k = 0; k < 3; ++k) Prefetch(stars + ahead[k]);
+        add(f);
     }
+    for (; f < mesh.faceCount; ++f) add(f);
     pass.Flush();
 }
 
