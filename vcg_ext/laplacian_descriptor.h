@@ -92,7 +92,7 @@ class StarPass
     /// the range of float, the normal becomes NaN: such a star is found irregular.
     static void WeighCorners(Corner (*corners)[3])
     {
-        constexpr float kFlat = .05f, kSharp2 = 1e-6f, kTiny = 1e-30f; // cos + 1; sin^2; a length^4
+        constexpr float kFlat = .05f, kSharp2 = 1e-4f, kTiny = 1e-30f; // cos + 1; sin^2; a length^4
         Float4x3 edge[3];
         Float4 length[3], weight[3];
         for (std::size_t k = 0; k < 3; ++k) {
