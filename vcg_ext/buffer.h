@@ -62,7 +62,7 @@ class Buffer
     void AllocateOnLargePages(std::size_t size)
     {
         const std::size_t bytes = (size + kReadablePadding) * sizeof(T);
-        if (bytes < 2 * kLargePage) return Allocate(size);
+        if (bytes < kLargePage) return Allocate(size);
         const std::size_t pages = (bytes + kLargePage - 1) / kLargePage;
         Allocate(pages * kLargePage, std::align_val_t{kLargePage}, size);
 #if defined(__linux__)

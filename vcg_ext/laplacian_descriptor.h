@@ -237,7 +237,9 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads)
     // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and whatever
     // their number, the faces of a vertex are added in the same order.
     const auto ranges = static_cast<std::size_t>(threads);
-    const auto bound = [&](std::size_t range) { return mesh.vertexCount * range / ranges; };
+    const auto bound = [&](std::size_t range) { // four stars are read at once
+        return range == ranges ? mesh.vertexCount : mesh.vertexCount * range / ranges / kLanes * kLanes;
+    };
     ParallelFor(threads, ranges, [&](std::size_t range, int) {
         StartStars(EdgeReader<Scalar>(mesh), stars.data(), bound(range), bound(range + 1));
     });

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "buffer.h"
 #include "decimation_types.h"
 
 namespace vcg_ext
@@ -42,7 +43,9 @@ class MeshPart
             const std::uint32_t* v = mesh.triangles + 3 * f;
             if (wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) triangles_.insert(triangles_.end(), v, v + 3);
         }
-        std::vector<std::uint32_t> place(mesh.vertexCount, kAbsent);
+        Buffer<std::uint32_t> place;
+        place.AllocateOnLargePages(mesh.vertexCount);
+        std::fill(place.begin(), place.end(), kAbsent);
         for (std::uint32_t& v : triangles_) {
             if (place[v] == kAbsent) {
                 place[v] = static_cast<std::uint32_t>(origin_.size());
