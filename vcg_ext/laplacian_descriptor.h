@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "buffer.h"
 #include "decimation_types.h"
 #include "edge_reader.h"
-#include "mesh_part.h"
 #include "one_ring.h"
 #include "one_ring_descriptors.h"
 #include "parallel.h"
@@ -32,9 +30,10 @@ struct Star {
     Position position;
     Float4 balanceAndEdges; ///< sum of the previous minus the next vertices' marks; sum of edges
     Float4 lengthAndNormal; ///< sum of edge lengths; of chord-weighted normals
-    std::uint64_t bits;     ///< four of 64, which stand for the vertex among the neighbours of another
+    std::uint64_t bits;     ///< of the vertex
     std::uint64_t seen;     ///< bits of the next vertices
 };
+static_assert(sizeof(Star<Float4>) == 64);
 
 /// A whole number below 2^21 that stands for a vertex: one to one up to two million of them. Where the faces
 /// close up around a vertex, every next vertex of one is the previous of another: the sum of their marks'
@@ -43,11 +42,16 @@ inline float MarkOf(std::uint32_t mixed)
 {
     return static_cast<float>(static_cast<std::int32_t>(mixed >> 11));
 }
+
+/// Of 64 bits, a few that stand for a vertex among the neighbours of another: with seven of them one vertex
+/// of valence 6 in 250 seems to have a neighbour twice.
 inline std::uint64_t BitsOf(std::uint32_t mixed)
 {
-    constexpr std::uint64_t kOne = 1;
-    return kOne << (mixed >> 26) | kOne << (mixed >> 20 & 63) | kOne << (mixed >> 14 & 63) |
-           kOne << (mixed >> 8 & 63);
+    constexpr int kBits = 7;
+    const std::uint64_t places = mixed * 0x9E3779B97F4A7C15u;
+    std::uint64_t bits = 0;
+    for (int i = 0; i < kBits; ++i) bits |= std::uint64_t{1} << (places >> (58 - 6 * i) & 63);
+    return bits;
 }
 
 struct MarkedDouble3 {
@@ -71,34 +75,32 @@ inline Float4 MarkedEdge(Float4 from, Float4 to)
     return to - from;
 }
 
-/// Adds faces, a block at a time, to the stars of their vertices in [firstVertex, lastVertex): first all
-/// that a block's corners add is found, then it is added, so that neither waits for the other.
+/// Adds faces, four at a time, to the stars of their vertices in [firstVertex, lastVertex).
 template <class Position>
 class StarPass
 {
-    static constexpr std::size_t kBlock = 64;
     struct Corner {
         Float4 balanceAndEdge, lengthAndNormal;
     };
 
     Star<Position>* stars_;
     std::size_t firstVertex_, vertices_;
+    const std::uint32_t* faces_[kLanes]{};
+    Corner corners_[kLanes][3]{};
     std::size_t count_ = 0;
-    const std::uint32_t* faces_[kBlock];
-    Corner corners_[kBlock][3];
 
-    /// Of four faces. With b and c the edges at a corner, N = b x c and g = |b||c| + b.c, the chord over |N|
-    /// is sqrt(2 / (|b||c| g)). Where g is rounding (flat angles), or N (sharp angles), or the numbers leave
-    /// the range of float, the normal becomes NaN: such a star is found irregular.
-    static void WeighCorners(Corner (*corners)[3])
+    /// With b and c the edges at a corner, N = b x c and g = |b||c| + b.c, the chord over |N| is
+    /// sqrt(2 / (|b||c| g)). Where g is rounding (flat angles), or N (sharp angles), or the numbers leave the
+    /// range of float, the normal becomes NaN: such a star is found irregular.
+    void WeighCorners()
     {
         constexpr float kFlat = .05f, kSharp2 = 1e-4f, kTiny = 1e-30f; // cos + 1; sin^2; a length^4
         Float4x3 edge[3];
         Float4 length[3], weight[3];
         for (std::size_t k = 0; k < 3; ++k) {
-            Float4 balance = corners[0][k].balanceAndEdge;
-            edge[k] = {corners[1][k].balanceAndEdge, corners[2][k].balanceAndEdge,
-                       corners[3][k].balanceAndEdge};
+            Float4 balance = corners_[0][k].balanceAndEdge;
+            edge[k] = {corners_[1][k].balanceAndEdge, corners_[2][k].balanceAndEdge,
+                       corners_[3][k].balanceAndEdge};
             Transpose(balance, edge[k].x, edge[k].y, edge[k].z);
             length[k] = Sqrt(Dot(edge[k], edge[k]));
         }
@@ -117,14 +119,14 @@ class StarPass
             Float4 row = length[k];
             Float4x3 weighted = normal * weight[k];
             Transpose(row, weighted.x, weighted.y, weighted.z);
-            corners[0][k].lengthAndNormal = row;
-            corners[1][k].lengthAndNormal = weighted.x;
-            corners[2][k].lengthAndNormal = weighted.y;
-            corners[3][k].lengthAndNormal = weighted.z;
+            corners_[0][k].lengthAndNormal = row;
+            corners_[1][k].lengthAndNormal = weighted.x;
+            corners_[2][k].lengthAndNormal = weighted.y;
+            corners_[3][k].lengthAndNormal = weighted.z;
         }
     }
 
-    void FillCorners()
+    void ReadEdges()
     {
         for (std::size_t i = 0; i < count_; ++i) {
             const std::uint32_t* v = faces_[i];
@@ -134,7 +136,6 @@ class StarPass
             corners_[i][1].balanceAndEdge = FirstOfOther(bc, ca);
             corners_[i][2].balanceAndEdge = FirstOfOther(ca, ab);
         }
-        for (std::size_t i = 0; i < count_; i += kLanes) WeighCorners(corners_ + i);
     }
 
     void AddCorners()
@@ -147,7 +148,8 @@ class StarPass
                 star.balanceAndEdges += corners_[i][k].balanceAndEdge;
                 star.lengthAndNormal += corners_[i][k].lengthAndNormal;
                 const std::uint64_t seen = star.seen | stars_[v[(k + 1) % 3]].bits;
-                if (seen == star.seen) star.balanceAndEdges[0] = std::numeric_limits<float>::infinity();
+                if (seen == star.seen) // perhaps twice the same neighbour
+                    star.balanceAndEdges[0] = std::numeric_limits<float>::infinity();
                 star.seen = seen;
             }
         }
@@ -157,7 +159,6 @@ class StarPass
     StarPass(Star<Position>* stars, std::size_t firstVertex, std::size_t lastVertex)
         : stars_(stars), firstVertex_(firstVertex), vertices_(lastVertex - firstVertex)
     {
-        std::memset(corners_, 0, sizeof corners_);
     }
 
     bool IsMine(std::uint32_t vertex) const { return vertex - firstVertex_ < vertices_; }
@@ -165,11 +166,12 @@ class StarPass
     void Add(const std::uint32_t* face)
     {
         faces_[count_++] = face;
-        if (count_ == kBlock) Flush();
+        if (count_ == kLanes) Flush();
     }
     void Flush()
     {
-        FillCorners();
+        ReadEdges();
+        WeighCorners();
         AddCorners();
         count_ = 0;
     }
@@ -208,7 +210,7 @@ void StartStars(const EdgeReader<Scalar>& reader, Star<Position>* stars, std::si
 template <class Position>
 void AddFaces(const MeshView& mesh, Star<Position>* stars, std::size_t first, std::size_t last)
 {
-    constexpr std::size_t kAhead = 24; // faces that memory takes to answer
+    constexpr std::size_t kAhead = 48; // faces: about what memory takes to answer
     const bool all = last - first == mesh.vertexCount;
     StarPass<Position> pass(stars, first, last);
     const auto add = [&](std::size_t f) {
@@ -255,12 +257,7 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads)
         }
     });
     if (std::find(irregular.begin(), irregular.end(), 1) == irregular.end()) return values;
-    const MeshPart<Scalar> part(mesh, irregular);
-    std::vector<double> again(part.Origin().size());
-    FoldOneRings<LaplacianFold, Scalar>(part.View(), OneRings(part.View(), threads, part.Wanted()), threads,
-                                        again);
-    for (std::size_t v = 0; v < again.size(); ++v)
-        if (part.Wanted()[v]) values[part.Origin()[v]] = again[v];
+    FoldOneRings<LaplacianFold, Scalar>(mesh, OneRings(mesh, irregular), threads, values);
     return values;
 }
 
