@@ -90,11 +90,11 @@ class StarPass
     std::size_t count_ = 0;
 
     /// With b and c the edges at a corner, N = b x c and g = |b||c| + b.c, the chord over |N| is
-    /// sqrt(2 / (|b||c| g)). Where g is rounding (flat angles), or N (sharp angles), or the numbers leave the
-    /// range of float, the normal becomes NaN: such a star is found irregular.
+    /// sqrt(2 / (|b||c| g)). Where N is rounding, or the numbers leave the range of float, the normal becomes
+    /// NaN: such a star is found irregular.
     void WeighCorners()
     {
-        constexpr float kFlat = .05f, kSharp2 = 1e-4f, kTiny = 1e-30f; // cos + 1; sin^2; a length^4
+        constexpr float kSharp2 = 1e-5f, kTiny = 1e-30f; // sin^2; a length^4
         Float4x3 edge[3];
         Float4 length[3], weight[3];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -105,13 +105,13 @@ class StarPass
             length[k] = Sqrt(Dot(edge[k], edge[k]));
         }
         Float4x3 normal = Cross(edge[0], edge[1]);
-        const Float4 product01 = length[0] * length[1];
-        Int4 usual = Dot(normal, normal) > kSharp2 * (product01 * product01) + kTiny;
+        const Float4 normal2 = Dot(normal, normal), product01 = length[0] * length[1];
+        const Int4 usual = normal2 > kSharp2 * (product01 * product01) + kTiny;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t previous = (k + 2) % 3; // the edge that leads to vertex k
-            const Float4 product = length[k] * length[previous];
-            const Float4 g = product - Dot(edge[k], edge[previous]);
-            usual &= g > kFlat * product;
+            const Float4 product = length[k] * length[previous], minusDot = Dot(edge[k], edge[previous]);
+            // at blunt angles the difference is rounding, but |N|^2 = (|b||c| - b.c) g
+            const Float4 g = Select(minusDot < 0.0f, product - minusDot, normal2 / (product + minusDot));
             weight[k] = Sqrt(2.0f / (product * g));
         }
         normal.x = Floats(Bits(normal.x) | ~usual);
