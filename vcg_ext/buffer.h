@@ -14,6 +14,16 @@
 namespace vcg_ext
 {
 
+constexpr std::size_t kLargePage = std::size_t{1} << 21;
+
+/// Asks for \p bytes from \p begin on to lie on large pages. A hint: nothing but the time depends on it.
+inline void AdviseLargePages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes)
+{
+#if defined(__linux__)
+    madvise(begin, bytes, MADV_HUGEPAGE);
+#endif
+}
+
 /// A fixed-size array of plain values, aligned to a cache line and left uninitialised.
 ///
 /// std::vector writes zeros over memory that the next line fills anyway; on meshes of millions of faces that
@@ -24,7 +34,6 @@ class Buffer
 {
     static_assert(std::is_trivially_copyable_v<T>, "Buffer leaves its values uninitialised");
     static constexpr std::align_val_t kAlignment{64};
-    static constexpr std::size_t kLargePage = 1 << 21;
     /// Values that vector code may read (never use) behind the last one.
     static constexpr std::size_t kReadablePadding = 64;
 
@@ -35,10 +44,9 @@ class Buffer
     std::unique_ptr<T, Free> data_;
     std::size_t size_ = 0;
 
-    void Allocate(std::size_t bytes, std::align_val_t alignment, std::size_t size)
+    void Allocate(std::size_t size, std::size_t bytes, std::align_val_t alignment)
     {
-        data_.reset();
-        size_ = 0;
+        Release();
         data_ = std::unique_ptr<T, Free>(static_cast<T*>(::operator new(bytes, alignment)), Free{alignment});
         size_ = size;
     }
@@ -55,71 +63,35 @@ class Buffer
     }
 
     /// Drops the content and takes room for \p size values. \throws std::bad_alloc
-    void Allocate(std::size_t size) { Allocate((size + kReadablePadding) * sizeof(T), kAlignment, size); }
+    void Allocate(std::size_t size) { Allocate(size, (size + kReadablePadding) * sizeof(T), kAlignment); }
 
-    /// The same for values that are visited in no order of theirs: on pages of 2 MiB, where the system has
-    /// such. The first touch of a small page costs as much as the work on all that is in it.
+    /// The same for many values that are visited in no order of theirs: on pages of 2 MiB, where the system
+    /// has them. The first touch of a small page costs as much as the work on all that is in it.
     void AllocateOnLargePages(std::size_t size)
     {
-        const std::size_t bytes = (size + kReadablePadding) * sizeof(T);
-        if (bytes < kLargePage) return Allocate(size);
-        const std::size_t pages = (bytes + kLargePage - 1) / kLargePage;
-        Allocate(pages * kLargePage, std::align_val_t{kLargePage}, size);
-#if defined(__linux__)
-        madvise(data_.get(), pages * kLargePage, MADV_HUGEPAGE); // a hint: it may fail
-#endif
+        const std::size_t pages = (size + kReadablePadding) * sizeof(T) / kLargePage + 1;
+        if (pages == 1) return Allocate(size);
+        Allocate(size, pages * kLargePage, std::align_val_t{kLargePage});
+        AdviseLargePages(data(), pages * kLargePage);
     }
     /// Forgets all but the first \p size values; the memory stays. \pre size <= size()
-    void Shrink(std::size_t size)
-    {
-        size_ = size;
-    }
+    void Shrink(std::size_t size) { size_ = size; }
     void Release()
     {
         data_.reset();
         size_ = 0;
     }
 
-    std::size_t size() const
-    {
-        return size_;
-    }
-    bool empty() const
-    {
-        return size_ == 0;
-    }
-    T* data()
-    {
-        return data_.get();
-    }
-    const T* data() const
-    {
-        return data_.get();
-    }
-    T* begin()
-    {
-        return data();
-    }
-    T* end()
-    {
-        return data() + size_;
-    }
-    const T* begin() const
-    {
-        return data();
-    }
-    const T* end() const
-    {
-        return data() + size_;
-    }
-    T& operator[](std::size_t i)
-    {
-        return data_.get()[i];
-    }
-    const T& operator[](std::size_t i) const
-    {
-        return data_.get()[i];
-    }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    T* data() { return data_.get(); }
+    const T* data() const { return data_.get(); }
+    T* begin() { return data(); }
+    T* end() { return data() + size_; }
+    const T* begin() const { return data(); }
+    const T* end() const { return data() + size_; }
+    T& operator[](std::size_t i) { return data_.get()[i]; }
+    const T& operator[](std::size_t i) const { return data_.get()[i]; }
 };
 
 } // namespace vcg_ext
