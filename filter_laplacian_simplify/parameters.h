@@ -58,6 +58,14 @@ struct Parameter {
     }
 };
 
+/// The default on a mesh.
+/// \param facts asked for only where the default depends on them: that is a walk over the faces
+template <class Facts>
+double DefaultOf(const Parameter& parameter, const Facts& facts)
+{
+    return parameter.Default(parameter.defaultValue.onMesh ? facts() : MeshFacts{});
+}
+
 /// The table of parameters, in the order of the dialogs. No filter has two of the same id.
 const std::vector<Parameter>& Parameters();
 

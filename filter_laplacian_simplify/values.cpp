@@ -36,7 +36,7 @@ Values::Values(FilterId filter, const std::function<MeshFacts()>& facts, const G
 {
     for (const Parameter* parameter : ParametersOf(filter)) {
         std::optional<GivenValue> value = given(*parameter);
-        if (!value) value = parameter->Default(parameter->defaultValue.onMesh ? facts() : MeshFacts{});
+        if (!value) value = DefaultOf(*parameter, facts);
         Check(*parameter, *value);
         entries_.push_back({parameter, std::get<double>(*value)});
     }

@@ -45,35 +45,41 @@ inline int ThreadsThatPay(int requested, std::size_t faces)
                                                   1 + faces / kFacesPerThread));
 }
 
-/// The corners and the neighbours around every vertex of a triangle mesh, whatever its topology: open,
+/// The corners and the neighbours around the vertices of a triangle mesh, whatever its topology: open,
 /// non-manifold, polygonal, with inconsistent orientation. Faces that name a vertex twice are left out.
+/// Rings are numbered as the vertices, or as those that were asked for.
 class OneRings
 {
+    std::vector<std::uint32_t> vertices_; // empty where all have a ring
     std::vector<std::size_t> offset_;
     Buffer<RingCorner> corners_;
 
-    template <class Visit>
-    static void ForEachCorner(const MeshView& mesh, const std::uint8_t* wanted, std::size_t firstVertex,
-                              std::size_t lastVertex, const Visit& visit);
+    static RingCorner CornerOf(const MeshView& mesh, std::size_t face, std::size_t k);
+    void CountsToOffsets();
     bool IsRegular(ArrayView<RingCorner> corners) const;
 
   public:
     /// Two passes over the faces. \pre every index of mesh.triangles is below mesh.vertexCount < 2^31
-    /// \param threads used as they are \param wanted one byte a vertex, not 0: its corners are listed; null:
-    /// those of all vertices are
-    explicit OneRings(const MeshView& mesh, int threads = 1, const std::uint8_t* wanted = nullptr);
+    /// \param threads used as they are
+    explicit OneRings(const MeshView& mesh, int threads = 1);
 
-    std::size_t VertexCount() const { return offset_.size() - 2; }
+    /// The rings of some vertices, in one pass over the faces.
+    /// \param wanted one byte a vertex, not 0: it has a ring
+    OneRings(const MeshView& mesh, const std::vector<std::uint8_t>& wanted);
 
-    /// The corners at \p v, in the order of the faces.
-    ArrayView<RingCorner> Corners(std::size_t v) const
+    std::size_t Count() const { return offset_.size() - 2; }
+
+    std::size_t Vertex(std::size_t ring) const { return vertices_.empty() ? ring : vertices_[ring]; }
+
+    /// In the order of the faces.
+    ArrayView<RingCorner> Corners(std::size_t ring) const
     {
-        return {corners_.data() + offset_[v], offset_[v + 1] - offset_[v]};
+        return {corners_.data() + offset_[ring], offset_[ring + 1] - offset_[ring]};
     }
 
-    /// Every neighbour of \p v once: the ends of the edges at v that are not diagonals.
+    /// Every neighbour once: the ends of the edges at the vertex that are not diagonals.
     /// \param room is overwritten and holds the result, so that a loop over vertices allocates once
-    ArrayView<std::uint32_t> Neighbours(std::size_t v, std::vector<std::uint32_t>& room) const;
+    ArrayView<std::uint32_t> Neighbours(std::size_t ring, std::vector<std::uint32_t>& room) const;
 };
 
 /// Whether a face has a corner less than three; such faces have neither a normal nor neighbours.
@@ -90,44 +96,73 @@ inline std::uint32_t MixedBits(std::uint32_t v)
     return v * 0x85EBCA77u;
 }
 
-template <class Visit>
-void OneRings::ForEachCorner(const MeshView& mesh, const std::uint8_t* wanted, std::size_t firstVertex,
-                             std::size_t lastVertex, const Visit& visit)
+inline RingCorner OneRings::CornerOf(const MeshView& mesh, std::size_t face, std::size_t k)
 {
-    const std::size_t range = lastVertex - firstVertex;
-    for (std::size_t f = 0; f < mesh.faceCount; ++f) {
-        const std::uint32_t* v = mesh.triangles + 3 * f;
-        if (wanted != nullptr && (wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) == 0) continue;
-        if (NamesAVertexTwice(v)) continue;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (v[k] - firstVertex < range && (wanted == nullptr || wanted[v[k]])) visit(f, v[k], k);
-    }
+    const std::size_t next = k == 2 ? 0 : k + 1;
+    const std::size_t previous = k == 0 ? 2 : k - 1;
+    const unsigned faux = mesh.fauxEdges == nullptr ? 0u : mesh.fauxEdges[face];
+    const std::uint32_t* v = mesh.triangles + 3 * face;
+    return {v[next] & 0x7fffffffu, faux >> k & 1u, v[previous] & 0x7fffffffu, faux >> previous & 1u};
 }
 
-inline OneRings::OneRings(const MeshView& mesh, int threads, const std::uint8_t* wanted)
-    : offset_(mesh.vertexCount + 2, 0)
+/// Counts are stored two places on, so that afterwards offset_[ring + 1] is where a ring begins, and after
+/// filling where it ends.
+inline void OneRings::CountsToOffsets()
+{
+    for (std::size_t ring = 2; ring < offset_.size(); ++ring) offset_[ring] += offset_[ring - 1];
+    corners_.Allocate(offset_.back());
+}
+
+inline OneRings::OneRings(const MeshView& mesh, int threads) : offset_(mesh.vertexCount + 2, 0)
 {
     // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and the
-    // corners of a vertex keep the order of the faces. Counts are stored two places on, so that after the
-    // sum offset_[v + 1] is where v begins, and after filling where it ends.
+    // corners of a vertex keep the order of the faces.
     const std::size_t ranges = static_cast<std::size_t>(threads);
-    const auto bound = [&](std::size_t range) { return mesh.vertexCount * range / ranges; };
-    ParallelFor(threads, ranges, [&](std::size_t range, int) {
-        ForEachCorner(mesh, wanted, bound(range), bound(range + 1),
-                      [&](std::size_t, std::uint32_t v, std::size_t) { ++offset_[v + 2]; });
+    const auto forEachCorner = [&](const auto& visit) {
+        ParallelFor(threads, ranges, [&](std::size_t range, int) {
+            const std::size_t first = mesh.vertexCount * range / ranges;
+            const std::size_t count = mesh.vertexCount * (range + 1) / ranges - first;
+            for (std::size_t f = 0; f < mesh.faceCount; ++f) {
+                const std::uint32_t* v = mesh.triangles + 3 * f;
+                if (NamesAVertexTwice(v)) continue;
+                for (std::size_t k = 0; k < 3; ++k)
+                    if (v[k] - first < count) visit(f, v[k], k);
+            }
+        });
+    };
+    forEachCorner([&](std::size_t, std::uint32_t v, std::size_t) { ++offset_[v + 2]; });
+    CountsToOffsets();
+    forEachCorner([&](std::size_t f, std::uint32_t v, std::size_t k) {
+        corners_[offset_[v + 1]++] = CornerOf(mesh, f, k);
     });
-    for (std::size_t v = 2; v < offset_.size(); ++v) offset_[v] += offset_[v - 1];
-    corners_.Allocate(offset_.back());
-    ParallelFor(threads, ranges, [&](std::size_t range, int) {
-        ForEachCorner(
-            mesh, wanted, bound(range), bound(range + 1), [&](std::size_t f, std::uint32_t v, std::size_t k) {
-                const std::size_t next = k == 2 ? 0 : k + 1;
-                const std::size_t previous = k == 0 ? 2 : k - 1;
-                const unsigned faux = mesh.fauxEdges == nullptr ? 0u : mesh.fauxEdges[f];
-                const std::uint32_t* triangle = mesh.triangles + 3 * f;
-                corners_[offset_[v + 1]++] = {triangle[next] & 0x7fffffffu, faux >> k & 1u,
-                                              triangle[previous] & 0x7fffffffu, faux >> previous & 1u};
-            });
+}
+
+inline OneRings::OneRings(const MeshView& mesh, const std::vector<std::uint8_t>& wanted)
+{
+    std::vector<std::size_t> faces;
+    for (std::size_t f = 0; f < mesh.faceCount; ++f) {
+        const std::uint32_t* v = mesh.triangles + 3 * f;
+        if ((wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) != 0 && !NamesAVertexTwice(v)) faces.push_back(f);
+    }
+    Buffer<std::uint32_t> ringOf;
+    ringOf.AllocateOnLargePages(mesh.vertexCount);
+    for (std::uint32_t v = 0; v < mesh.vertexCount; ++v) {
+        if (!wanted[v]) continue;
+        ringOf[v] = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back(v);
+    }
+    offset_.assign(vertices_.size() + 2, 0);
+    const auto forEachCorner = [&](const auto& visit) {
+        for (const std::size_t f : faces)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t v = mesh.triangles[3 * f + k];
+                if (wanted[v]) visit(f, ringOf[v], k);
+            }
+    };
+    forEachCorner([&](std::size_t, std::uint32_t ring, std::size_t) { ++offset_[ring + 2]; });
+    CountsToOffsets();
+    forEachCorner([&](std::size_t f, std::uint32_t ring, std::size_t k) {
+        corners_[offset_[ring + 1]++] = CornerOf(mesh, f, k);
     });
 }
 
@@ -149,9 +184,9 @@ inline bool OneRings::IsRegular(ArrayView<RingCorner> corners) const
     return balance == 0 && !repeated;
 }
 
-inline ArrayView<std::uint32_t> OneRings::Neighbours(std::size_t v, std::vector<std::uint32_t>& room) const
+inline ArrayView<std::uint32_t> OneRings::Neighbours(std::size_t ring, std::vector<std::uint32_t>& room) const
 {
-    const ArrayView<RingCorner> corners = Corners(v);
+    const ArrayView<RingCorner> corners = Corners(ring);
     if (room.size() < 2 * corners.size()) room.resize(2 * corners.size());
     std::uint32_t* last = room.data();
     if (IsRegular(corners)) {

@@ -91,7 +91,7 @@ double FoldOneRing(const EdgeReader<Scalar>& reader, std::size_t v, const std::a
     return fold.Value(neighbours.size());
 }
 
-/// Writes the descriptor of every vertex that has corners in \p rings to \p values.
+/// Writes the descriptor of every vertex that has a ring to \p values, 0 where it has no neighbours.
 /// \tparam Fold one of the above \tparam Scalar of the coordinates
 template <class Fold, class Scalar>
 void FoldOneRings(const MeshView& mesh, const OneRings& rings, int threads, std::vector<double>& values)
@@ -99,13 +99,15 @@ void FoldOneRings(const MeshView& mesh, const OneRings& rings, int threads, std:
     constexpr std::size_t kGrain = 4096;
     const EdgeReader<Scalar> reader(mesh);
     ParallelRanges(
-        ResolveThreads(threads), mesh.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
+        ResolveThreads(threads), rings.Count(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             std::vector<std::uint32_t> room;
-            for (std::size_t v = begin; v < end; ++v) {
-                const auto corners = rings.Corners(v);
-                const auto neighbours = rings.Neighbours(v, room);
-                if (neighbours.size() == 0) continue;
-                values[v] = FoldOneRing<Fold>(reader, v, VertexNormal(reader, v, corners), neighbours);
+            for (std::size_t ring = begin; ring < end; ++ring) {
+                const std::size_t v = rings.Vertex(ring);
+                const auto neighbours = rings.Neighbours(ring, room);
+                values[v] = neighbours.size() == 0
+                                ? 0
+                                : FoldOneRing<Fold>(reader, v, VertexNormal(reader, v, rings.Corners(ring)),
+                                                    neighbours);
             }
         });
 }

@@ -21,6 +21,7 @@ namespace vcg_ext
 
 typedef float Float4 __attribute__((vector_size(16)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
+typedef double Double2 __attribute__((vector_size(16)));
 
 constexpr int kLanes = 4;
 
@@ -51,6 +52,11 @@ inline Int4 Select(Int4 mask, Int4 yes, Int4 no)
 }
 
 #if defined(__SSE2__)
+/// Rounded to single precision.
+inline Float4 Narrow(Double2 xy, Double2 zw)
+{
+    return _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(zw));
+}
 /// \pre 16-byte aligned
 inline Float4 Load(const float* p)
 {
@@ -86,6 +92,11 @@ inline int LaneBits(Int4 mask)
 {
     return _mm_movemask_ps(Floats(mask));
 }
+/// \p a with the first lane of \p b.
+inline Float4 FirstOfOther(Float4 a, Float4 b)
+{
+    return _mm_move_ss(a, b);
+}
 /// Rows become columns.
 inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
 {
@@ -101,6 +112,11 @@ inline void Prefetch(const void* p)
     _mm_prefetch(static_cast<const char*>(p), _MM_HINT_T0);
 }
 #else
+inline Float4 Narrow(Double2 xy, Double2 zw)
+{
+    return Float4{static_cast<float>(xy[0]), static_cast<float>(xy[1]), static_cast<float>(zw[0]),
+                  static_cast<float>(zw[1])};
+}
 inline Float4 LoadUnaligned(const float* p)
 {
     return Float4{p[0], p[1], p[2], p[3]};
@@ -132,6 +148,10 @@ inline Float4 Sqrt(Float4 a)
 inline int LaneBits(Int4 mask)
 {
     return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
+}
+inline Float4 FirstOfOther(Float4 a, Float4 b)
+{
+    return Float4{b[0], a[1], a[2], a[3]};
 }
 inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
 {

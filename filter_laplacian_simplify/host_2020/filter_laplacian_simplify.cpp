@@ -98,9 +98,9 @@ int FilterLaplacianSimplify::postCondition(QAction* action) const
 void FilterLaplacianSimplify::initParameterSet(QAction* action, MeshDocument& document,
                                                RichParameterList& parameters)
 {
-    const MeshFacts facts = document.mm() ? FactsOf(document.mm()->cm) : MeshFacts{};
+    const auto facts = [&] { return document.mm() ? FactsOf(document.mm()->cm) : MeshFacts{}; };
     for (const Parameter* row : ParametersOf(RowOf(action).id))
-        AddParameter(parameters, *row, row->Default(facts));
+        AddParameter(parameters, *row, DefaultOf(*row, facts));
 }
 
 bool FilterLaplacianSimplify::applyFilter(QAction* action, MeshDocument& document,

@@ -124,9 +124,10 @@ int FilterLaplacianSimplify::postCondition(const QAction* action) const
 RichParameterList FilterLaplacianSimplify::initParameterList(const QAction* action,
                                                              const MeshDocument& document)
 {
-    const MeshFacts facts = document.mm() ? FactsOf(document.mm()->cm) : MeshFacts{};
+    const auto facts = [&] { return document.mm() ? FactsOf(document.mm()->cm) : MeshFacts{}; };
     RichParameterList list;
-    for (const Parameter* row : ParametersOf(RowOf(action).id)) AddParameter(list, *row, row->Default(facts));
+    for (const Parameter* row : ParametersOf(RowOf(action).id))
+        AddParameter(list, *row, DefaultOf(*row, facts));
     return list;
 }
 

@@ -90,12 +90,57 @@ IndexedMesh WithDegenerateFaces(IndexedMesh mesh)
     return mesh;
 }
 
+/// Two spheres that share nothing but one edge of each: its four faces are balanced at every vertex.
+IndexedMesh SpheresAtAnEdge(std::size_t face, std::size_t otherFace)
+{
+    const IndexedMesh sphere = Noisy(Icosphere(2), .03);
+    IndexedMesh mesh = Merged(sphere, Moved(sphere, .4, 1.5, {2, 1, 0}));
+    const Triangle edge = mesh.triangles[face], other = mesh.triangles[sphere.triangles.size() + otherFace];
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t)
+            for (const std::size_t end : {0, 1})
+                if (v == other[end]) v = edge[end];
+    return mesh;
+}
+
+/// A pyramid on either side of a polygon: closed, with two vertices of any valence.
+IndexedMesh Bipyramid(int sides)
+{
+    IndexedMesh mesh = Pyramid(sides, 1, .8);
+    const std::size_t faces = mesh.triangles.size(), below = mesh.points.size();
+    mesh.points.push_back({.1, .2, -.5});
+    for (std::size_t f = 0; f < faces; ++f) {
+        const Triangle t = mesh.triangles[f];
+        mesh.AddTriangle(below, t[2], t[1]);
+    }
+    return mesh;
+}
+
+/// A sphere drawn out to a needle, and faces without area: all vertices on a line, or some of them in one
+/// place.
+IndexedMesh Slivers(double stretch)
+{
+    IndexedMesh mesh = Merged(Noisy(Icosphere(3), .01), Noisy(Grid(6, 6), .05));
+    for (Point& p : mesh.points) p[0] *= stretch;
+    const std::size_t first = mesh.points.size();
+    for (const Point& p :
+         {Point{0, 0, 9}, Point{1, 0, 9}, Point{2, 0, 9}, Point{1, 1, 9.5}, Point{1, 1, 9.5}})
+        mesh.points.push_back(p);
+    mesh.AddTriangle(first, first + 2, first + 1);
+    mesh.AddTriangle(first, first + 1, first + 3);
+    mesh.AddTriangle(first + 1, first + 2, first + 4);
+    mesh.AddTriangle(first + 3, first + 1, first + 4);
+    return mesh;
+}
+
 /// Every topology that a file may hold, by name.
 std::vector<std::pair<const char*, IndexedMesh>> Families()
 {
     IndexedMesh flipped = Noisy(Box(3), .05);
     for (std::size_t f = 0; f < flipped.triangles.size(); f += 3)
         std::swap(flipped.triangles[f][0], flipped.triangles[f][1]);
+    IndexedMesh twice = Noisy(Icosphere(1), .1);
+    for (std::size_t f = twice.triangles.size(); f-- > 0;) twice.triangles.push_back(twice.triangles[f]);
     return {{"icosphere", Icosphere(2)},
             {"noisy torus", Noisy(Torus(20, 12), .03)},
             {"noisy grid with borders", Noisy(Grid(9, 7), .2)},
@@ -106,6 +151,8 @@ std::vector<std::pair<const char*, IndexedMesh>> Families()
             {"noisy book of 4", Noisy(Book(4), .2)},
             {"book of 4", Book(4)},
             {"cubes at an edge", CubesAtAnEdge()},
+            {"spheres at an edge", SpheresAtAnEdge(7, 100)},
+            {"every face twice", twice},
             {"bow tie", BowTie()},
             {"quads", Noisy(Box(4, 1, true), .05)},
             {"quads and triangles", Merged(Noisy(Torus(12, 8, 1, .4, true), .02), Noisy(Icosphere(1), .1))},
@@ -141,6 +188,23 @@ double LargestDifference(const std::vector<double>& a, const std::vector<double>
     return largest;
 }
 
+/// The largest difference of the one pass over the faces from the walk around every vertex, in double
+/// precision and in single.
+double DifferenceFromTheRings(const IndexedMesh& mesh)
+{
+    MeshView view = View(mesh);
+    const double inDouble =
+        LargestDifference(OneRingDescriptor<LaplacianFold>(view), LaplacianDescriptor(view));
+    std::vector<std::array<float, 3>> positions;
+    for (const Point& p : mesh.points)
+        positions.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+    view.positions = positions.data();
+    view.positionStride = sizeof(positions.front());
+    view.doublePositions = false;
+    return std::max(inDouble,
+                    LargestDifference(OneRingDescriptor<LaplacianFold>(view), LaplacianDescriptor(view)));
+}
+
 const std::vector<Descriptor> kOneRingKinds{Descriptor::Laplacian, Descriptor::NormalizedUmbrella,
                                             Descriptor::CurvatureEstimation};
 
@@ -152,6 +216,10 @@ class TestDescriptor : public QObject
 
   private slots:
     void everyFamilyAsDefined();
+    void onePassIsWhatTheRingsGive();
+    void edgesOfTwicePairedFacesAreFound();
+    void valenceMayBeAny();
+    void sliversAndUnitsMayBeAny();
     void rowsAreInTheOrderOfTheEnum();
     void flatIsZero();
     void pyramidHasItsClosedForm();
@@ -178,6 +246,43 @@ void TestDescriptor::everyFamilyAsDefined()
                      qPrintable(QString("%1, %2: %3").arg(name).arg(i).arg(difference)));
         }
     }
+}
+
+void TestDescriptor::onePassIsWhatTheRingsGive()
+{
+    for (const auto& [name, mesh] : Families()) {
+        const double difference = DifferenceFromTheRings(mesh);
+        QVERIFY2(difference < kRounding, qPrintable(QString("%1: %2").arg(name).arg(difference)));
+    }
+}
+
+void TestDescriptor::edgesOfTwicePairedFacesAreFound()
+{
+    // Counted by its faces the other end of the edge would weigh twice: that is far more than rounding.
+    for (std::size_t face = 0; face < 320; face += 3) {
+        const IndexedMesh mesh = SpheresAtAnEdge(face, (7 * face + 11) % 320);
+        QVERIFY2(DifferenceFromTheRings(mesh) < kRounding, qPrintable(QString::number(face)));
+    }
+}
+
+void TestDescriptor::valenceMayBeAny()
+{
+    for (const int sides : {3, 4, 5, 6, 7, 8, 9, 12, 16, 24, 40, 63, 64, 65, 100, 1000})
+        for (const IndexedMesh& mesh : {Bipyramid(sides), Noisy(Pyramid(sides), 1e-4)})
+            QVERIFY2(DifferenceFromTheRings(mesh) < kRounding, qPrintable(QString::number(sides)));
+}
+
+void TestDescriptor::sliversAndUnitsMayBeAny()
+{
+    // A face's normal is rounded by 6e-8 over the sine of the corner that it is taken from; below .01 the
+    // rings decide.
+    for (const double stretch : {1.0, 3.0, 30.0, 1e3, 1e5})
+        for (const double scale : {1e-15, 1e-11, 1e-8, 1e-3, 1.0, 1e6, 1e8, 1e9, 1e10, 1e15}) {
+            const IndexedMesh mesh = Moved(Slivers(stretch), 0, scale, {0, 0, 0});
+            const double difference = DifferenceFromTheRings(mesh);
+            QVERIFY2(difference < 20 * kRounding,
+                     qPrintable(QString("%1 times, unit %2: %3").arg(stretch).arg(scale).arg(difference)));
+        }
 }
 
 void TestDescriptor::rowsAreInTheOrderOfTheEnum()
