@@ -26,6 +26,7 @@ class CollapseLegality
     std::vector<VertexType*> apexes_; ///< third vertices of the faces on the edge
     std::vector<OppositeEdge> removedLink_;
     bool closesHoles_ = false;
+    const VertexType* hole_ = nullptr; ///< the third corner of the hole that the collapse would close
 
     /// Collects both rings and the apexes. \return the edge that joins the two, null where none does
     const Edge* Collect(VertexType& removed, VertexType& kept)
@@ -58,11 +59,16 @@ class CollapseLegality
 
     /// Both ends see no vertex but the third ones of the faces between them, and each of those once; and,
     /// where holes may be closed, the third corner of a hole.
-    bool CommonNeighboursAreApexes(const Edge& joining) const
+    bool CommonNeighboursAreApexes(const Edge& joining)
     {
         std::size_t common = 0;
-        for (const Edge& edge : keptRing_.edges())
-            if (removedRing_.Find(*edge.neighbour) && !(closesHoles_ && ClosesHole(joining, edge))) ++common;
+        hole_ = nullptr;
+        for (const Edge& edge : keptRing_.edges()) {
+            if (closesHoles_ && ClosesHole(joining, edge))
+                hole_ = edge.neighbour;
+            else if (removedRing_.Find(*edge.neighbour))
+                ++common;
+        }
         if (common != apexes_.size()) return false;
         for (std::size_t i = 0; i < apexes_.size(); ++i)
             if (std::find(apexes_.begin(), apexes_.begin() + static_cast<std::ptrdiff_t>(i), apexes_[i]) !=
@@ -71,14 +77,15 @@ class CollapseLegality
         return true;
     }
 
-    /// The edge opposite to a corner where both its vertices are apexes, in an order of its own.
+    /// The edge opposite to a corner where both its vertices will be joined to the survivor from both sides,
+    /// in an order of its own.
     template <class Corner>
     bool LinksApexes(const Corner& corner, OppositeEdge& opposite) const
     {
-        const auto isApex = [&](VertexType* v) {
-            return std::find(apexes_.begin(), apexes_.end(), v) != apexes_.end();
+        const auto isShared = [&](VertexType* v) {
+            return v == hole_ || std::find(apexes_.begin(), apexes_.end(), v) != apexes_.end();
         };
-        if (!isApex(corner.V1()) || !isApex(corner.V2())) return false;
+        if (!isShared(corner.V1()) || !isShared(corner.V2())) return false;
         opposite = std::minmax(corner.V1(), corner.V2());
         return true;
     }
@@ -86,7 +93,7 @@ class CollapseLegality
     /// A face of either end has the same two other vertices, so both would become the same face.
     bool MakesDuplicateFace(VertexType& removed, VertexType& kept)
     {
-        if (apexes_.size() < 2) return false;
+        if (apexes_.size() + (hole_ != nullptr ? 1 : 0) < 2) return false;
         removedLink_.clear();
         OppositeEdge opposite;
         for (vcg::face::VFIterator<FaceType> corner(&removed); !corner.End(); ++corner)

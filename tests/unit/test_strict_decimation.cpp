@@ -343,7 +343,8 @@ void TestStrictDecimation::rootsLeadToSurvivors()
 void TestStrictDecimation::closesHolesOnlyWhereTheTargetNeedsIt()
 {
     IndexedMesh mesh = Icosphere(3);
-    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4); // two holes: with both of them
+    mesh.triangles.resize(mesh.triangles.size() - 4);                         // six faces are the fewest
     for (const auto effort : {Effort::Fast, Effort::Best}) {
         DecimationParameters parameters;
         parameters.effort = effort;
@@ -351,7 +352,8 @@ void TestStrictDecimation::closesHolesOnlyWhereTheTargetNeedsIt()
         const StrictDecimation closed = Decimated(mesh, 4, parameters);
         QCOMPARE(closed.mesh.stopReason, StopReason::Target);
         const auto defects = FindDefects(ResultOf(closed));
-        QCOMPARE(defects.borderEdges + defects.nonManifoldEdges + defects.nonManifoldFans, 0);
+        QVERIFY(defects.borderEdges <= 3);
+        QCOMPARE(defects.nonManifoldEdges + defects.nonManifoldFans + defects.duplicateFaces, 0);
         parameters.preserveTopology = true;
         const StrictDecimation open = Decimated(mesh, 1, parameters);
         QCOMPARE(open.mesh.stopReason, StopReason::NoLegalCollapse);
