@@ -15,6 +15,15 @@ from scipy.sparse.csgraph import connected_components
 
 SHARP_ANGLE_DEGREES = 30.0
 DEGENERATE_AREA = 1e-14  # of the squared box diagonal
+COUNTS = (
+    "vertices",
+    "faces",
+    "boundary_edges",
+    "non_manifold_edges",
+    "non_manifold_vertices",
+    "duplicate_faces",
+    "degenerate_faces",
+)
 
 
 @dataclass(frozen=True)
@@ -145,16 +154,19 @@ def _following_corner(corner: np.ndarray) -> np.ndarray:
 
 def topology_counts(mesh: Mesh) -> dict:
     """Vertices, faces, and everything that makes a mesh not a manifold."""
+    if len(mesh.faces) == 0:
+        return dict.fromkeys(COUNTS, 0)
     edges = edges_of(mesh)
     area = np.linalg.norm(area_vectors(mesh), axis=1)
     degenerate = has_repeated_vertex(mesh.faces) | (area < DEGENERATE_AREA * mesh.diagonal**2)
     distinct = np.unique(np.sort(mesh.faces, axis=1), axis=0)
-    return {
-        "vertices": len(mesh.vertices),
-        "faces": len(mesh.faces),
-        "boundary_edges": int((edges.face_count == 1).sum()),
-        "non_manifold_edges": int((edges.face_count > 2).sum()),
-        "non_manifold_vertices": non_manifold_vertices(mesh, edges),
-        "duplicate_faces": len(mesh.faces) - len(distinct),
-        "degenerate_faces": int(degenerate.sum()),
-    }
+    counts = (
+        len(mesh.vertices),
+        len(mesh.faces),
+        int((edges.face_count == 1).sum()),
+        int((edges.face_count > 2).sum()),
+        non_manifold_vertices(mesh, edges),
+        len(mesh.faces) - len(distinct),
+        int(degenerate.sum()),
+    )
+    return dict(zip(COUNTS, counts))

@@ -17,6 +17,7 @@ normal_deviation  mean angle (degrees) between the face normals at a sample and 
                   mean of both directions
 folded_faces      faces whose normal is more than 90 degrees from the original's at the point closest to
                   their centroid
+perceptual        how different both look, from 0 to 1: see perceptual.py
 new_*             how many more of them the simplified mesh has than the original
 """
 
@@ -28,6 +29,7 @@ import igl
 import numpy as np
 
 from mesh_topology import Mesh, area_vectors, edges_of, read_mesh, sharp_vertices, topology_counts, unit_normals
+from perceptual import Look, perceptual_difference
 
 SAMPLES = 200_000
 SEED = 20120501
@@ -49,8 +51,15 @@ class Surface:
 
     def closest(self, points: np.ndarray):
         """Squared distance of each point and the face of its closest point."""
-        squared, face, _ = self._tree.squared_distance(self._vertices, self._faces, np.asfortranarray(points))
+        squared, face, _ = self._query(points)
         return np.asarray(squared).reshape(-1), np.asarray(face).reshape(-1)
+
+    def closest_points(self, points: np.ndarray) -> np.ndarray:
+        """The surface's point closest to each point."""
+        return np.asarray(self._query(points)[2]).reshape(-1, 3)
+
+    def _query(self, points: np.ndarray):
+        return self._tree.squared_distance(self._vertices, self._faces, np.asfortranarray(points))
 
     def samples(self, count: int):
         """Points spread evenly over the area, and the face of each."""
@@ -92,15 +101,23 @@ def laplacian_descriptor(mesh: Mesh) -> np.ndarray:
     return np.divide(np.abs(height), total_length, out=np.zeros(count), where=total_length > 0)
 
 
-class Original:
+class ValidOriginal:
+    """What counting faults needs of the original; cheap, and the same for every simplified mesh."""
+
+    def __init__(self, mesh: Mesh):
+        self.mesh = mesh
+        self.surface = Surface(mesh)
+        self.topology = topology_counts(mesh)
+
+
+class Original(ValidOriginal):
     """The original with everything that does not depend on the simplified mesh, for repeated measuring."""
 
     def __init__(self, mesh: Mesh, samples: int = SAMPLES):
-        self.mesh = mesh
-        self.surface = Surface(mesh)
+        super().__init__(mesh)
         self.points, self.sample_face = self.surface.samples(samples)
         self.sample_count = samples
-        self.topology = topology_counts(mesh)
+        self.look = Look(self.surface, mesh.diagonal)
         feature_count = max(1, int(round(FEATURE_PART * len(mesh.vertices))))
         self.features = np.argsort(-laplacian_descriptor(mesh), kind="stable")[:feature_count]
         self.sharp = sharp_vertices(mesh, edges_of(mesh))
@@ -127,7 +144,15 @@ def measure(original: Original, simplified: Mesh) -> dict:
         "sharp_rms": percent * np.sqrt(from_vertices[original.sharp].mean()) if len(original.sharp) else None,
         "hausdorff": percent * np.sqrt(largest),
         "normal_deviation": (forward_angle.mean() + backward_angle.mean()) / 2,
-        "folded_faces": _folded_faces(original.surface, surface),
+        "perceptual": perceptual_difference(original.look, Look(surface, original.mesh.diagonal)),
+        **faults(original, simplified),
+    }
+
+
+def faults(original: ValidOriginal, simplified: Mesh) -> dict:
+    """Folded faces and topology alone, which need neither samples nor distances."""
+    return {
+        "folded_faces": _folded_faces(original.surface, simplified),
         **_topology(original.topology, topology_counts(simplified)),
     }
 
@@ -136,10 +161,13 @@ def _angles(normals: np.ndarray, others: np.ndarray) -> np.ndarray:
     return np.degrees(np.arccos(np.clip(np.einsum("ij,ij->i", normals, others), -1, 1)))
 
 
-def _folded_faces(original: Surface, simplified: Surface) -> int:
-    centroids = simplified.mesh.vertices[simplified.mesh.faces].mean(axis=1)
+def _folded_faces(original: Surface, simplified: Mesh) -> int:
+    if len(simplified.faces) == 0:
+        return 0
+    centroids = simplified.vertices[simplified.faces].mean(axis=1)
     _, face = original.closest(centroids)
-    return int((np.einsum("ij,ij->i", simplified.normals, original.normals[face]) < 0).sum())
+    normals = unit_normals(area_vectors(simplified))
+    return int((np.einsum("ij,ij->i", normals, original.normals[face]) < 0).sum())
 
 
 def _topology(before: dict, after: dict) -> dict:
