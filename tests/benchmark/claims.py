@@ -7,11 +7,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+from build_peers import descriptor_report
 from mesh_topology import read_mesh
 from meshes import BenchmarkMesh
 from metrics import Original, measure, plain_numbers
 from peers import HOST
 from runs import Store, Workshop, load_result, run_tool
+from stopwatch import Neighbours
 
 COMMAND_FACES = 1000
 
@@ -35,18 +37,24 @@ def measure_command(workshop: Workshop, store: Store, source: Path, mesh: Benchm
     store.save()
 
 
-def measure_host_descriptor(workshop: Workshop, store: Store, mesh: BenchmarkMesh, rounds: int) -> None:
-    """Stores descriptor/host: processor seconds of the descriptor, of mean curvature and of an idle filter."""
+def measure_descriptor(workshop: Workshop, store: Store, mesh: BenchmarkMesh, vcglib: Path, rounds: int) -> None:
+    """Stores the section 'descriptor': seconds of filters in the host, round by round, and figures on plain arrays."""
     script = Path(__file__).with_name("host_descriptor.py")
-    done = subprocess.run(
-        [sys.executable, str(script), str(mesh.arrays), str(rounds)],
-        env=dict(workshop.environment(), OMP_NUM_THREADS="1"),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    with Neighbours() as neighbours:
+        done = subprocess.run(
+            [sys.executable, str(script), str(mesh.arrays), str(rounds)],
+            env=dict(workshop.environment(), OMP_NUM_THREADS="1"),
+            capture_output=True,
+            text=True,
+            check=True,
+        )
     store.section("descriptor")["host"] = {
         "faces": mesh.face_count,
         "seconds": json.loads(done.stdout.strip().splitlines()[-1]),
+        "others": neighbours.cores,
     }
+    store.save()
+    with Neighbours() as neighbours:
+        report = descriptor_report(workshop.peers, vcglib, mesh.ply, rounds)
+    store.section("descriptor")["arrays"] = {"report": report, "others": neighbours.cores}
     store.save()

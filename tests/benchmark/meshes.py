@@ -45,11 +45,10 @@ def group_of(name: str) -> str:
     return next((group for group, names in GROUPS.items() if name in names), "other")
 
 
-def prepare_mesh(source: Path, folder: Path) -> BenchmarkMesh:
+def prepare_mesh(source: Path, folder: Path, name: str | None = None) -> BenchmarkMesh:
     """Welds a mesh (float32 coordinates) and stores it for all tools; done once per folder."""
-    prepared = BenchmarkMesh(
-        source.stem, group_of(source.stem), folder / f"{source.stem}.npz", folder / f"{source.stem}.ply"
-    )
+    name = name or source.stem
+    prepared = BenchmarkMesh(name, group_of(name), folder / f"{name}.npz", folder / f"{name}.ply")
     if not prepared.arrays.exists():
         mesh = read_mesh(source)
         store_mesh(prepared, welded(Mesh(mesh.vertices.astype(np.float32).astype(np.float64), mesh.faces)))
@@ -72,17 +71,32 @@ def write_ply(path: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
 def meshes_in(source: Path, folder: Path, wanted=None) -> list[BenchmarkMesh]:
     """The meshes of a folder that belong to a group (or are named in `wanted`), welded into `folder`."""
     chosen = wanted or [name for names in GROUPS.values() for name in names]
-    paths = {path.stem: path for path in sorted(source.iterdir()) if path.suffix.lower() in FORMATS}
+    paths = mesh_files(source)
     return [prepare_mesh(paths[name], folder) for name in chosen if name in paths]
 
 
-def subdivided(mesh: BenchmarkMesh, times: int, folder: Path) -> BenchmarkMesh:
-    """The same surface with every face cut into four, `times` times."""
-    name = f"{mesh.name}_subdivided_{times}"
+def all_meshes_in(sources: list[Path], folder: Path) -> list[BenchmarkMesh]:
+    """Every mesh of several folders, welded into `folder`; a name that was there before gets its folder's in front."""
+    prepared = {}
+    for source in dict.fromkeys(path.resolve() for path in sources):
+        for stem, path in mesh_files(source).items():
+            name = f"{source.name}_{stem}" if stem in prepared else stem
+            prepared[name] = prepare_mesh(path, folder, name)
+    return list(prepared.values())
+
+
+def mesh_files(source: Path) -> dict[str, Path]:
+    """The meshes of a folder by their names without suffix."""
+    return {path.stem: path for path in sorted(source.iterdir()) if path.suffix.lower() in FORMATS}
+
+
+def subdivided(mesh: BenchmarkMesh, times: int, folder: Path, smooth: bool = False) -> BenchmarkMesh:
+    """Every face cut into four, `times` times: at the edges' midpoints, which keeps the surface, or by Loop's rule."""
+    name = f"{mesh.name}_{'loop' if smooth else 'subdivided'}_{times}"
     prepared = BenchmarkMesh(name, mesh.group, folder / f"{name}.npz", folder / f"{name}.ply")
     if not prepared.arrays.exists():
         original = mesh.load()
-        vertices, faces = igl.upsample(original.vertices, original.faces, times)
+        vertices, faces = (igl.loop if smooth else igl.upsample)(original.vertices, original.faces, times)
         store_mesh(prepared, without_unreferenced(np.asarray(vertices), np.asarray(faces)))
     return prepared
 

@@ -6,9 +6,12 @@
 Prints one line of JSON for each target, with the processor and elapsed seconds and the peak of memory of the
 simplification alone, above the loaded mesh; a line with "failure" where the peer raised an error. Where time or
 memory matters there is one target: later ones find a warm heap.
+
+The process is held to as many cores as the peer may have threads, so that no library takes more than the others.
 """
 
 import json
+import os
 import sys
 
 import numpy as np
@@ -34,6 +37,7 @@ def run(peer_id: str, mesh, target: int, destination: str) -> dict:
 
 def main() -> int:
     peer_id, source, *pairs = sys.argv[1:]
+    os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[-peer_named(peer_id).threads :])
     mesh = np.load(source)
     for target, destination in zip(pairs[::2], pairs[1::2]):
         print("\n" + json.dumps(run(peer_id, mesh, int(target), destination)), flush=True)

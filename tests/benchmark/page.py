@@ -9,7 +9,9 @@ import page_speed as speed
 from meshes import GROUPS
 from metrics import SAMPLES
 from page_aims import aim_lines
+from page_validity import validity_lines
 from peers import OWN, PEERS, Peer, peer_named
+from timing import busy_cores
 
 HEAD = """<!-- Written by scripts/benchmark; changes by hand are lost. -->
 # Benchmark
@@ -28,11 +30,30 @@ area on either side, fixed seed), in percent of the diagonal of the original's b
 - **feature rms** original → simplified at the tenth of the original's vertices with the largest Laplacian descriptor;
 - **Hausdorff** the largest distance both ways, over the samples and all vertices;
 - **normal deviation** the mean angle between the normals at a sample and at its closest point, both ways;
-- **folded faces** faces whose normal is more than 90° from the original's at the point closest to their centroid.
+- **folded faces** faces whose normal is more than 90° from the original's at the point closest to their centroid;
+- **perceptual difference** how different both look, from 0 to 1: curvature between closest points compared by mean,
+  deviation and structure in small neighbourhoods, [after Lavoué's MSDM2](../tests/benchmark/perceptual.py).
 
-Two distances below 0.001 % count as equal. Groups: {groups}. These public test models are not part of the project;
-`--meshes FOLDER` tells where they are.
+In ratios to CGAL's tools two distances below 0.001 % count as equal. Groups: {groups}.
+These public test models are not part of the project; `--meshes FOLDER` tells where they are.
 """
+
+LOOKS = (
+    "The perceptual difference as ratios to CGAL's Lindstrom–Turk, geometric means over the meshes of a group; bold "
+    "where this project is behind."
+)
+
+TIMES = (
+    "Every run is a process of its own, held to as many cores as the tool is asked for threads: one, unless it says "
+    "two. Times are of the simplification alone, without reading the mesh and handing it over. Peak memory is counted "
+    "above the loaded mesh."
+)
+
+PAIRS = (
+    "Two tools take turns, each first in every other pair; figures are the tool's time as a part of the other's: the "
+    "median and range of the ratios inside the pairs, and the least time over the least. Others' cores: how many cores "
+    "other programs kept busy meanwhile, which slows two threads more than one."
+)
 
 TRAPS = """## Several names, one implementation
 
@@ -80,16 +101,16 @@ def geometry_lines(section: dict) -> list[str]:
         *geometry.tool_table(section),
         "",
     ]
+    lines += ["### Perceived difference", "", LOOKS, "", *geometry.look_table(section), ""]
     for peer in shown:
         lines += [
             f"### {geometry.title_of(peer)} against MeshLab's defaults, mesh by mesh",
             "",
-            "rms/feature rms as ratios to pymeshlab's quadric decimation with defaults.",
+            "rms/feature rms as ratios to pymeshlab's quadric decimation with defaults, however small both are.",
             "",
             *geometry.host_table(section, peer),
             "",
         ]
-    lines += ["### More folded faces than Lindstrom–Turk", "", *geometry.fold_table(section), ""]
     return lines + [
         "### The figures themselves",
         "",
@@ -103,26 +124,21 @@ def geometry_lines(section: dict) -> list[str]:
 def speed_lines(sections: dict) -> list[str]:
     """Everything about time and memory."""
     runs = sections.get("speed", {})
-    lines = ["## Time and memory", ""]
-    for name, reference, text in (
-        ("arrays", "meshoptimizer_debian", "the fast ones, one thread unless said otherwise"),
-        ("tools", "meshoptimizer_debian", "all tools"),
-        ("host", "pymeshlab", "filters in pymeshlab, one thread, `measure_error` off"),
-    ):
-        if name in runs:
-            run = runs[name]
-            lines += [
-                f"### {run['faces']:,} faces to {run['percent']:g} %: {text}",
-                "",
-                "Medians over rounds in which the tools take turns; ratios are taken inside a round (median, range). "
-                "Peak memory is counted above the loaded mesh."
-                + (f" Other work ran beside it: {run['load']:.1f} processes." if run.get("load", 0) > 0.5 else ""),
-                "",
-                *speed.speed_table(run, reference),
-                "",
-            ]
-    if any(name.startswith("best_") for name in runs):
-        lines += ["### Effort best", "", *speed.best_table(runs), ""]
+    lines = ["## Time and memory", "", TIMES, ""]
+    if runs.get("pairs"):
+        lines += ["### Pairs in turns", "", PAIRS, "", *speed.pair_table(runs["pairs"]), ""]
+    if "tools" in runs:
+        tools = runs["tools"]
+        rounds = [figures for figures in tools["figures"].values() if figures]
+        lines += [
+            f"### All tools on {tools['faces']:,} faces ({speed.input_name(tools['mesh'])}), to {tools['percent']:g} %",
+            "",
+            "Medians over rounds in which the tools take turns; ratios are taken inside a round (median, range). "
+            f"Others kept {busy_cores(*rounds):.1f} cores busy. A tool that was stopped at the time limit shows it.",
+            "",
+            *speed.speed_table(tools, "meshoptimizer_debian"),
+            "",
+        ]
     return lines + growth_lines(sections.get("growth", {})) + descriptor_section(sections.get("descriptor", {}))
 
 
@@ -132,11 +148,11 @@ def growth_lines(growth: dict) -> list[str]:
         return []
     lines = [f"### Growth, to {growth['percent']:g} %", "", *speed.growth_table(growth), ""]
     for peer_id in growth["rows"][0]["figures"]:
-        factor = speed.growth_factor(growth, peer_id, speed.LARGE_FACES)
+        factor = speed.growth_factor(growth, peer_id)
         if factor is not None:
             lines += [
-                f"{speed.tool_name(peer_id)}: time per face grows {factor:.2f} times from the first mesh over "
-                f"{speed.LARGE_FACES:,} faces to the largest.",
+                f"{speed.tool_name(peer_id)}: the time per face of the largest mesh is {factor:.2f} times that around "
+                f"{speed.LARGE_FACES:,} faces (the cheaper of the meshes just below and above).",
                 "",
             ]
     return lines
@@ -174,7 +190,7 @@ def picture_lines(pictures: dict) -> list[str]:
     lines = ["## Where the error is", ""]
     lines += ["The originals, coloured by their distance to each result; one scale a picture.", ""]
     for name, picture in pictures.items():
-        lines += [f"{picture['text']}", "", f"![Error maps of {name}](images/benchmark/{name}.png)", ""]
+        lines += [picture["text"], "", f"![Error maps of {name}](images/benchmark/{name}.png)", ""]
     return lines
 
 
@@ -195,6 +211,7 @@ def write_page(sections: dict, destination: Path, command: str) -> None:
         DEFINITIONS.format(samples=SAMPLES, groups=groups),
         *aim_lines(sections),
         *geometry_lines(quality),
+        *validity_lines(sections.get("validity", {})),
         *command_lines(sections.get("command", {})),
         *picture_lines(sections.get("pictures", {})),
         *speed_lines(sections),

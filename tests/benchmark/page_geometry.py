@@ -7,7 +7,16 @@ from statistics import median
 from meshes import GROUPS, PERCENTS
 from peers import HOST, OWN, PEERS, REFERENCE, SECOND_REFERENCE, Peer
 from quality import table_of
-from ratio_tables import AXES, cell_text, cells, geometric_mean, mean_of_distances, ratio
+from ratio_tables import (
+    AXES,
+    LOOK,
+    cell_text,
+    cells,
+    geometric_mean,
+    group_ratio,
+    mean_of_distances,
+    ratio,
+)
 
 BENCHMARK_MESHES = [name for names in GROUPS.values() for name in names]
 
@@ -61,6 +70,33 @@ def tool_table(section: dict) -> list[str]:
     return lines
 
 
+def look_table(section: dict) -> list[str]:
+    """The perceptual difference of every tool by group, as ratios to Lindstrom-Turk's."""
+    reference = benchmark_runs(section, REFERENCE)
+    columns = [(group, percent) for group in GROUPS for percent in PERCENTS]
+    lines = ["| tool | " + " | ".join(f"{group} {percent} %" for group, percent in columns) + " | all runs |"]
+    lines.append("|---" * (len(columns) + 2) + "|")
+    for peer in [*OWN, *PEERS]:
+        runs = benchmark_runs(section, peer.id)
+        ratios = [group_ratio(runs, reference, group, percent, LOOK) for group, percent in columns]
+        found = [
+            ratio(run[LOOK], reference[key][LOOK], LOOK)
+            for key, run in runs.items()
+            if LOOK in run and LOOK in reference.get(key, {})
+        ]
+        if found:
+            shown = [_look_cell(value, peer in OWN) for value in [*ratios, geometric_mean(found)]]
+            name = bold("this project, " + title_of(peer)) if peer in OWN else title_of(peer)
+            lines.append(f"| {name} | " + " | ".join(shown) + " |")
+    return lines
+
+
+def _look_cell(value: float | None, own: bool) -> str:
+    if value is None:
+        return "–"
+    return bold(f"{value:.2f}") if own and value > 1 else f"{value:.2f}"
+
+
 def tool_row(peer: Peer, section: dict, runs: dict, reference: dict, common: list) -> str:
     """One line of tool_table."""
     by_axis = {axis: [ratio(runs[key][axis], reference[key][axis], axis) for key in common] for axis in AXES}
@@ -99,8 +135,8 @@ def host_table(section: dict, peer: Peer) -> list[str]:
 def _host_cell(run, host) -> str:
     if run is None or host is None:
         return "–"
-    values = [ratio(run[axis], host[axis], axis) for axis in ("rms", "feature_rms")]
-    return "/".join(bold(f"{value:.2f}") if value > 1 else f"{value:.2f}" for value in values)
+    values = [max(run[axis], 1e-9) / max(host[axis], 1e-9) for axis in ("rms", "feature_rms")]
+    return "/".join(bold(f"{value:.2f}") if value >= 1 else f"{value:.2f}" for value in values)
 
 
 def absolute_table(section: dict, peer_ids: list[str]) -> list[str]:
@@ -114,18 +150,3 @@ def absolute_table(section: dict, peer_ids: list[str]) -> list[str]:
                 row = [f"{run['rms']:.4f}/{run['hausdorff']:.3f}" if run else "–" for run in runs]
                 lines.append(f"| {name} | {percent} | " + " | ".join(row) + " |")
     return lines
-
-
-def fold_table(section: dict) -> list[str]:
-    """The runs where this project leaves more folded faces than Lindstrom-Turk; all meshes, all percentages."""
-    reference = table_of(section, REFERENCE)
-    lines = []
-    for peer in OWN:
-        for key, run in sorted(table_of(section, peer.id).items()):
-            if key in reference and run["folded_faces"] > reference[key]["folded_faces"]:
-                lines.append(
-                    f"| {key[0]} {key[1]:g} % | {title_of(peer)} | {bold(str(run['folded_faces']))} "
-                    f"| {reference[key]['folded_faces']} | {run['faces']} |"
-                )
-    head = ["| mesh | effort | folded | Lindstrom–Turk | faces |", "|---" * 5 + "|"]
-    return head + lines if lines else ["None: on every mesh as few as Lindstrom–Turk, or fewer."]

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The time and memory tables of the benchmark's page, as lines of Markdown."""
 
+import re
 from statistics import median
 
 from peers import OWN, peer_named
-from timing import medians, ratios, succeeded
+from timing import busy_cores, medians, ratio_of_least, ratios, succeeded
 
-LARGE_FACES = 100_000  # below, a mesh fits the processor's caches and says nothing about growth
+LARGE_FACES = 100_000  # growth is counted from here; far below, a mesh fits the processor's caches
 
 
 def tool_name(peer_id: str) -> str:
@@ -23,6 +24,16 @@ def with_range(values: tuple[float, float, float]) -> str:
     return f"{middle:.2f} ({least:.2f}–{largest:.2f})"
 
 
+def input_name(mesh: str) -> str:
+    """What was done to a mesh before it was simplified, in words."""
+    found = re.fullmatch(r"(.+)_(subdivided|loop)_(\d+)", mesh)
+    if not found:
+        return mesh
+    name, scheme, times = found.groups()
+    rule = "by Loop's rule" if scheme == "loop" else "at midpoints"
+    return f"{name}, subdivided {rule}" + (f" {times} times" if times != "1" else "")
+
+
 def speed_table(speed: dict, reference: str) -> list[str]:
     """Tools on one mesh: medians, and ratios inside the rounds to the reference tool."""
     figures = speed["figures"]
@@ -32,15 +43,47 @@ def speed_table(speed: dict, reference: str) -> list[str]:
     working = {peer_id: rounds for peer_id, rounds in figures.items() if succeeded(rounds)}
     for peer_id, rounds in sorted(working.items(), key=lambda item: medians(item[1])["cpu_seconds"]):
         middle = medians(rounds)
-        comparison = [with_range(ratios(rounds, working[reference], key)) for key in ("cpu_seconds", "wall_seconds")]
+        keys = ("cpu_seconds", "wall_seconds") if reference in working else ()
+        comparison = [with_range(ratios(rounds, working[reference], key)) for key in keys] or ["–", "–"]
         lines.append(
             f"| {tool_name(peer_id)} | {middle['cpu_seconds']:.2f} | {middle['wall_seconds']:.2f} "
             f"| {comparison[0]} | {comparison[1]} | {middle['peak_bytes'] / speed['faces']:.0f} | {len(rounds)} |"
         )
     for peer_id, rounds in figures.items():
         if peer_id not in working:
-            lines.append(f"| {tool_name(peer_id)} | failed: {rounds[-1]['failure'] if rounds else 'not run'} |||||| ")
+            lines.append(f"| {tool_name(peer_id)} | {rounds[-1]['failure'] if rounds else 'not run'} | | | | | |")
     return lines
+
+
+def pair_table(pairs: dict) -> list[str]:
+    """Tool against tool in turns, on every mesh where that was measured."""
+    lines = ["| input | faces | tool | against | CPU | CPU, least | wall | wall, least | others' cores | pairs |"]
+    lines.append("|---" * 10 + "|")
+    for mesh, measured in pairs.items():
+        for row in measured["rows"]:
+            tool, reference = row["tool"], row["reference"]
+            head = f"| {input_name(mesh)} | {measured['faces']:,} | {tool_name(tool)} | {tool_name(reference)} | "
+            lines.append(head + " | ".join(_pair_cells(row["figures"][tool], row["figures"][reference])) + " |")
+    return lines
+
+
+def _pair_cells(own: list[dict], other: list[dict]) -> list[str]:
+    if not (succeeded(own) and succeeded(other)):
+        failure = next(figures["failure"] for figures in own + other if "failure" in figures)
+        return [f"failed: {failure}", "", "", "", "", ""]
+    cells = []
+    for key in ("cpu_seconds", "wall_seconds"):
+        cells += [with_range(ratios(own, other, key)), f"{ratio_of_least(own, other, key):.2f}"]
+    return [*cells, f"{busy_cores(own, other):.1f}", str(len(own))]
+
+
+def pair_rounds(speed: dict, mesh: str, tool: str, reference: str) -> tuple[list[dict], list[dict]] | None:
+    """The rounds of a pair; None where it was not measured or failed."""
+    for row in speed.get("pairs", {}).get(mesh, {}).get("rows", []):
+        if (row["tool"], row["reference"]) == (tool, reference):
+            own, other = row["figures"][tool], row["figures"][reference]
+            return (own, other) if succeeded(own) and succeeded(other) else None
+    return None
 
 
 def growth_table(growth: dict) -> list[str]:
@@ -62,39 +105,43 @@ def growth_table(growth: dict) -> list[str]:
     return lines
 
 
-def growth_factor(growth: dict, peer_id: str, least_faces: int) -> float | None:
-    """Time per face of the largest mesh over that of the smallest with at least `least_faces`."""
-    rows = [row for row in growth["rows"] if row["faces"] >= least_faces and succeeded(row["figures"][peer_id])]
-    if len(rows) < 2:
+def growth_factor(growth: dict, peer_id: str) -> float | None:
+    """Time per face of the largest mesh over that of the cheaper of the two meshes around LARGE_FACES."""
+    rows = [row for row in growth["rows"] if succeeded(row["figures"][peer_id])]
+    per_face = [(row["faces"], medians(row["figures"][peer_id])["cpu_seconds"] / row["faces"]) for row in rows]
+    before = [seconds for faces, seconds in per_face if faces < LARGE_FACES][-1:]
+    after = [seconds for faces, seconds in per_face if faces >= LARGE_FACES]
+    if len(before + after) < 2 or not after:
         return None
-    per_face = [medians(row["figures"][peer_id])["cpu_seconds"] / row["faces"] for row in (rows[0], rows[-1])]
-    return per_face[1] / per_face[0]
+    return after[-1] / min(before + after[:1])
 
 
-def best_table(speed: dict) -> list[str]:
-    """Effort best beside Lindstrom-Turk on each mesh from 20,000 faces."""
-    lines = ["| mesh | faces | to | best, CPU s | CGAL Lindstrom–Turk, CPU s | ratio |", "|---" * 6 + "|"]
-    for name, run in speed.items():
-        if name.startswith("best_") and all(succeeded(rounds) for rounds in run["figures"].values()):
-            own, other = (run["figures"][peer_id] for peer_id in ("engine_best", "cgal_lt"))
-            lines.append(
-                f"| {run['mesh']} | {run['faces']:,} | {run['percent']:g} % | {medians(own)['cpu_seconds']:.2f} "
-                f"| {medians(other)['cpu_seconds']:.2f} | {with_range(ratios(own, other, 'cpu_seconds'))} |"
-            )
-    return lines
+def descriptor_ratios(host: dict) -> dict:
+    """Seconds of the descriptor and of mean curvature beyond an idle filter: medians, least, and their ratio."""
+    idle = median(host["seconds"]["nothing"])
+    own, other = ([seconds - idle for seconds in host["seconds"][name]] for name in ("descriptor", "curvature"))
+    return {
+        "own": (median(own), min(own)),
+        "other": (median(other), min(other)),
+        "times": (median(theirs / ours for ours, theirs in zip(own, other)), min(other) / min(own)),
+    }
 
 
 def descriptor_lines(descriptor: dict) -> list[str]:
     """The descriptor in the host beside MeshLab's mean curvature, and on arrays where that was measured."""
     lines = []
     if "host" in descriptor:
-        seconds = {name: median(values) for name, values in descriptor["host"]["seconds"].items()}
-        own, other = seconds["descriptor"] - seconds["nothing"], seconds["curvature"] - seconds["nothing"]
+        host, figures = descriptor["host"], descriptor_ratios(descriptor["host"])
+        own, other = ([1e3 * seconds for seconds in figures[name]] for name in ("own", "other"))
         lines.append(
-            f"In pymeshlab, {descriptor['host']['faces']:,} faces, one thread, beyond a filter that does nothing: "
-            f"the descriptor takes {1e3 * own:.0f} ms, MeshLab's mean curvature {1e3 * other:.0f} ms: "
-            f"{other / own:.1f} times as long."
+            f"In pymeshlab, {host['faces']:,} faces, one thread, beyond a filter that does nothing: the descriptor "
+            f"takes {own[0]:.0f} ms (median of {len(host['seconds']['nothing'])} rounds; least {own[1]:.0f}), "
+            f"MeshLab's mean curvature {other[0]:.0f} ms (least {other[1]:.0f}): {figures['times'][0]:.1f} times as "
+            f"long (median of the rounds; least over least {figures['times'][1]:.1f}). "
+            f"Others kept {host['others']:.1f} cores busy."
         )
     if "arrays" in descriptor:
-        lines += ["", "Without a host:", "", "```", *descriptor["arrays"].splitlines(), "```"]
+        arrays = descriptor["arrays"]
+        lines += ["", f"Without a host; others kept {arrays['others']:.1f} cores busy:", ""]
+        lines += ["```", *arrays["report"].splitlines(), "```"]
     return lines

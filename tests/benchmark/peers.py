@@ -24,6 +24,7 @@ class Peer:
     settings: str
     implementation: str  # peers with the same one share their code, whatever they are called
     simplify: Callable
+    threads: int = 1
 
 
 class _PeerMesh(ctypes.Structure):
@@ -41,7 +42,7 @@ class _PeerMesh(ctypes.Structure):
 
 
 def _shared_object(library: str, function: str) -> Callable:
-    """A peer in C++: a function of one of the shared objects that `environment.py` builds."""
+    """A peer in C++: a function of one of the shared objects that `build_peers.py` builds."""
 
     def simplify(vertices, faces, target, stopwatch):
         points = np.array(vertices, dtype=np.float32, order="C")
@@ -305,6 +306,7 @@ ENGINE = [
         "effort fast, 2 threads",
         _OWN,
         _shared_object("engine", "EngineFastTwoThreads"),
+        threads=2,
     ),
     Peer(
         "engine_balanced",
@@ -319,6 +321,7 @@ ENGINE = [
         "effort balanced, 2 threads",
         _OWN,
         _shared_object("engine", "EngineBalancedTwoThreads"),
+        threads=2,
     ),
     Peer("engine_best", "engine on arrays", "effort best, 1 thread", _OWN, _shared_object("engine", "EngineBest")),
 ]

@@ -10,6 +10,7 @@ from tqdm import tqdm
 from meshes import PERCENTS, BenchmarkMesh, target_faces
 from metrics import Original, measure, plain_numbers
 from peers import OWN, PEERS, Peer
+from ratio_tables import LOOK
 from runs import Store, Workshop, load_result, result_path, run_tool
 
 
@@ -38,10 +39,23 @@ def measure_quality(workshop: Workshop, store: Store, meshes: list[BenchmarkMesh
     chosen = [*OWN, *(peers if peers is not None else PEERS)]
     for mesh, peer in tqdm([(mesh, peer) for mesh in meshes for peer in chosen], desc="geometry", unit="tool"):
         done = section.setdefault(peer.id, {})
+        measure_again(workshop, peer, mesh, done)
         missing = [percent for percent in percents if f"{mesh.name}_{percent:g}" not in done]
         if missing:
             done.update(run_and_measure(workshop, peer, mesh, missing, original_of(mesh)))
             store.save()
+
+
+def measure_again(workshop: Workshop, peer: Peer, mesh: BenchmarkMesh, done: dict) -> None:
+    """Adds what metrics have come since to the figures of results that were kept; forgets those without a result."""
+    for key in [key for key in done if key.rsplit("_", 1)[0] == mesh.name]:
+        if "failure" in done[key] or LOOK in done[key]:
+            continue
+        path = result_path(workshop, peer.id, mesh, float(key.rsplit("_", 1)[1]))
+        if path.exists():
+            done[key] |= plain_numbers(measure(original_of(mesh), load_result(path)))
+        else:
+            del done[key]
 
 
 @lru_cache(maxsize=1)

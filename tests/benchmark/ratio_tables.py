@@ -12,6 +12,7 @@ from meshes import GROUPS, PERCENTS
 
 DISTANCES = ("rms", "feature_rms", "hausdorff")
 AXES = DISTANCES + ("normal_deviation",)
+LOOK = "perceptual"
 EQUAL_BELOW = 1e-3  # percent of the diagonal: two distances below 1e-5 of it count as equal
 
 
@@ -23,12 +24,17 @@ class Cell:
     percent: float
     axis: str
     ratio: float  # to the reference
-    peer_ratio: float  # the better of reference and second reference, to the reference
+    second_ratio: float  # to the second reference
+
+    @property
+    def to_the_better(self) -> float:
+        """To the better of both references."""
+        return max(self.ratio, self.second_ratio)
 
     @property
     def lost(self) -> bool:
         """The reference or the second reference is ahead on a distance."""
-        return self.axis in DISTANCES and self.ratio > self.peer_ratio
+        return self.axis in DISTANCES and self.to_the_better > 1
 
 
 def ratio(value: float, reference: float, axis: str) -> float:
@@ -46,10 +52,9 @@ def geometric_mean(values) -> float:
 
 def group_ratio(runs: dict, reference: dict, group: str, percent: float, axis: str):
     """Geometric mean over the meshes of a group that both tables have; None where there is none."""
-    names = [name for name in GROUPS[group] if (name, percent) in runs and (name, percent) in reference]
-    if not names:
-        return None
-    return geometric_mean(ratio(runs[name, percent][axis], reference[name, percent][axis], axis) for name in names)
+    pairs = [(runs.get((name, percent), {}), reference.get((name, percent), {})) for name in GROUPS[group]]
+    found = [ratio(run[axis], other[axis], axis) for run, other in pairs if axis in run and axis in other]
+    return geometric_mean(found) if found else None
 
 
 def cells(runs: dict, reference: dict, second: dict) -> list[Cell]:
@@ -60,8 +65,8 @@ def cells(runs: dict, reference: dict, second: dict) -> list[Cell]:
             for axis in AXES:
                 own = group_ratio(runs, reference, group, percent, axis)
                 if own is not None:
-                    peer = group_ratio(second, reference, group, percent, axis) or 1.0
-                    found.append(Cell(group, percent, axis, own, min(1.0, peer)))
+                    beside = group_ratio(runs, second, group, percent, axis)
+                    found.append(Cell(group, percent, axis, own, own if beside is None else beside))
     return found
 
 

@@ -3,37 +3,41 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures this project against its peers and writes docs/benchmark.md; scripts/benchmark prepares what it needs.
 
-Sections: quality, command, speed, growth, descriptor, pictures. Figures are kept between runs in the folder, so a
-single section can be measured again; peers' geometry is measured once, this project's every time.
+Sections: quality, validity, command, speed, growth, descriptor, pictures. Figures are kept between runs in the
+folder, so a single section can be measured again; peers' geometry is measured once, this project's every time.
 """
 
 import argparse
 from pathlib import Path
 
 import machine
-from build_peers import PROJECT, build_all, descriptor_report
-from claims import measure_command, measure_host_descriptor
-from meshes import meshes_in, subdivided
+from build_peers import PROJECT, build_all
+from claims import measure_command, measure_descriptor
+from meshes import all_meshes_in, meshes_in, subdivided
 from page import picture_captions, write_page
-from peers import ENGINE, PEERS
+from peers import ENGINE, HOST, OWN, PEERS, REFERENCE
 from pictures import draw_error_maps
 from quality import measure_quality
 from runs import Store, Workshop
-from timing import measure_growth, measure_speed
+from timing import Plan, measure_growth, measure_pairs, measure_speed
+from validity import measure_validity
 
-SECTIONS = ("quality", "command", "speed", "growth", "descriptor", "pictures")
+SECTIONS = ("quality", "validity", "command", "speed", "growth", "descriptor", "pictures")
 QUICK_MESHES = ("fandisk", "cow")
+QUICK_FACES = 16_000
 QUICK_PEERS = ("cgal_lt", "cgal_gh", "pymeshlab", "meshoptimizer_debian")
 SPEED_PERCENT = 10
-SAME_SPEED = (  # settings that cost as much as another row of the same tool
-    "pymeshlab_weighted",
-    "pymeshlab_preserve",
-    "openmesh_flip",
-    "vtk_quadric_volume",
-    "vtk_pro",
-)
-FAST_PEERS = ("meshoptimizer_debian", "meshoptimizer", "meshoptimizer_update", "fast_simplification")
-LARGE_MESHES = ("rocker_arm", "elephant", "bunny", "igea")
+TOOL_SECONDS = 300  # of a process, with its start and the mesh's way into the library
+SIMPLIFY = "meshoptimizer_debian"
+ENGINE_PAIRS = [("engine_fast", SIMPLIFY), ("engine_balanced", SIMPLIFY), ("engine_fast_2", "engine_fast")]
+MIDPOINT_PAIRS = [
+    *ENGINE_PAIRS,
+    ("engine_balanced_2", "engine_balanced"),
+    ("engine_fast", "meshoptimizer"),
+    ("fast", HOST),
+    ("balanced", HOST),
+]
+BEST_FACES = 20_000  # from here effort best is timed against Lindstrom-Turk
 PICTURES = {"fandisk": 10, "bunny": 2, "rocker_arm": 10}
 GROWTH_CHAIN = ("bunny10k_textured", "bunny")  # then the last one, its faces cut into four again and again
 LARGEST_GROWTH = {True: 300_000, False: 20_000_000}
@@ -46,6 +50,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--vcglib", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--section", choices=SECTIONS, action="append", help="measure only this; may be repeated")
     parser.add_argument("--rounds", type=int, default=5, help="rounds of the measurements of time")
+    parser.add_argument("--limit", type=int, default=TOOL_SECONDS, help="seconds for a tool among all in speed")
     parser.add_argument("--quick", action="store_true", help="two meshes and four peers, in minutes")
     parser.add_argument("--page", type=Path, help="default: docs/benchmark.md; with --quick a page in the folder")
     return parser.parse_args()
@@ -67,15 +72,23 @@ class Benchmark:
             self.meshes = meshes_in(arguments.meshes, self.workshop.inputs, ["flange", "creature"])
         self.by_name = {mesh.name: mesh for mesh in self.meshes}
 
-    def large_mesh(self):
+    def large_mesh(self, smooth: bool = False):
         """About a million faces: igea cut once, or whatever there is."""
         if self.quick or "igea" not in self.by_name:
-            return subdivided(self.meshes[0], 2, self.workshop.inputs)
-        return subdivided(self.by_name["igea"], 1, self.workshop.inputs)
+            return subdivided(self.meshes[0], 2, self.workshop.inputs, smooth)
+        return subdivided(self.by_name["igea"], 1, self.workshop.inputs, smooth)
+
+    def every_mesh(self):
+        """All meshes of both folders; with --quick the two and what fits beside them."""
+        found = all_meshes_in([self.arguments.meshes, PROJECT / "sample_meshes"], self.workshop.inputs)
+        return [mesh for mesh in found if not self.quick or mesh.face_count < QUICK_FACES]
 
     def quality(self):
         peers = [peer for peer in PEERS if not self.quick or peer.id in QUICK_PEERS]
         measure_quality(self.workshop, self.store, self.meshes, peers=peers)
+
+    def validity(self):
+        measure_validity(self.workshop, self.store, self.every_mesh())
 
     def command(self):
         mesh = self.by_name.get("fandisk", self.meshes[0])
@@ -83,23 +96,21 @@ class Benchmark:
         measure_command(self.workshop, self.store, source, mesh)
 
     def speed(self):
-        """All tools in a few rounds, then those that compete for speed in more of them, then the host's filters."""
-        rounds, large = self.arguments.rounds, self.large_mesh()
-        engine = [peer.id for peer in ENGINE if peer.id != "engine_best"]
-        others = [peer.id for peer in PEERS if peer.id not in (*SAME_SPEED, *FAST_PEERS)]
-        fast = engine + [peer_id for peer_id in FAST_PEERS if not self.quick or peer_id in QUICK_PEERS]
-        measure_speed(self.workshop, self.store, "arrays", large, fast, SPEED_PERCENT, rounds)
-        if not self.quick:
-            tools = ["engine_fast", "engine_balanced", "meshoptimizer_debian", *others]
-            measure_speed(self.workshop, self.store, "tools", large, tools, SPEED_PERCENT, min(3, rounds))
-        host = ["fast", "balanced", "pymeshlab"]
-        measure_speed(self.workshop, self.store, "host", large, host, SPEED_PERCENT, rounds)
-        for name in LARGE_MESHES:
-            if name in self.by_name and not self.quick:
-                tools = ["engine_best", "cgal_lt"]
-                measure_speed(
-                    self.workshop, self.store, f"best_{name}", self.by_name[name], tools, SPEED_PERCENT, min(3, rounds)
-                )
+        """The pairs that aims compare, then all tools beside each other on one core each."""
+        rounds = self.arguments.rounds
+        plan, fewer = Plan(SPEED_PERCENT, rounds), Plan(SPEED_PERCENT, min(3, rounds))
+        large, smooth = self.large_mesh(), self.large_mesh(smooth=True)
+        self.store.sections["speed"] = {"large": large.name, "smooth": smooth.name}
+        midpoint = [pair for pair in MIDPOINT_PAIRS if not self.quick or pair[1] != "meshoptimizer"]
+        measure_pairs(self.workshop, self.store, large, midpoint, plan)
+        measure_pairs(self.workshop, self.store, smooth, ENGINE_PAIRS, plan)
+        for mesh in self.every_mesh():
+            if mesh.face_count >= BEST_FACES:
+                measure_pairs(self.workshop, self.store, mesh, [("engine_best", REFERENCE)], fewer)
+        tools = [peer.id for peer in [*ENGINE, *OWN] if peer.threads == 1]
+        tools += [peer.id for peer in PEERS if not self.quick or peer.id in QUICK_PEERS]
+        limited = Plan(SPEED_PERCENT, min(3, rounds), self.arguments.limit)
+        measure_speed(self.workshop, self.store, large, tools, limited)
 
     def growth(self):
         chain = [self.by_name[name] for name in GROWTH_CHAIN if name in self.by_name] or self.meshes[:1]
@@ -107,14 +118,12 @@ class Benchmark:
         for times in range(1, 8):
             if last.face_count * 4**times <= LARGEST_GROWTH[self.quick]:
                 meshes.append(subdivided(last, times, self.workshop.inputs))
-        tools, rounds = ["engine_fast", "engine_balanced"], min(3, self.arguments.rounds)
-        measure_growth(self.workshop, self.store, meshes, tools, SPEED_PERCENT, rounds)
+        plan = Plan(SPEED_PERCENT, min(3, self.arguments.rounds))
+        measure_growth(self.workshop, self.store, meshes, ["engine_fast", "engine_balanced"], plan)
 
     def descriptor(self):
-        measure_host_descriptor(self.workshop, self.store, self.large_mesh(), self.arguments.rounds)
-        mesh = self.large_mesh().ply
-        report = descriptor_report(self.workshop.peers, self.arguments.vcglib, mesh, self.arguments.rounds)
-        self.store.section("descriptor")["arrays"] = report
+        arguments = self.arguments
+        measure_descriptor(self.workshop, self.store, self.large_mesh(), arguments.vcglib, arguments.rounds)
 
     def pictures(self):
         shown = self.store.sections["pictures"] = {}

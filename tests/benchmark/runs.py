@@ -36,7 +36,7 @@ class Workshop:
         return self.folder / "results"
 
     def environment(self) -> dict:
-        """What a run finds in its environment. One thread, unless a peer is asked for more."""
+        """What a run finds in its environment."""
         return dict(os.environ, BENCHMARK_PEERS=str(self.peers))
 
 
@@ -57,8 +57,11 @@ class Store:
         scratch.replace(self._path)
 
 
-def run_tool(workshop: Workshop, peer_id: str, mesh: BenchmarkMesh, jobs: list[tuple[int, Path]]) -> list[dict]:
-    """Runs a tool for each pair of faces to reach and place of the result (.npz), in one process.
+def run_tool(
+    workshop: Workshop, peer_id: str, mesh: BenchmarkMesh, jobs: list[tuple[int, Path]], limit: int = LONGEST_SECONDS
+) -> list[dict]:
+    """Runs a tool for each pair of faces to reach and place of the result (.npz), in one process of at most `limit`
+    seconds.
 
     Returns times and peak memory of each, or {"failure": why}.
     """
@@ -68,10 +71,10 @@ def run_tool(workshop: Workshop, peer_id: str, mesh: BenchmarkMesh, jobs: list[t
         command += [str(faces), str(destination)]
     try:
         done = subprocess.run(
-            command, env=workshop.environment(), capture_output=True, text=True, timeout=LONGEST_SECONDS, check=False
+            command, env=workshop.environment(), capture_output=True, text=True, timeout=limit, check=False
         )
     except subprocess.TimeoutExpired:
-        return [{"failure": f"more than {LONGEST_SECONDS} s"}] * len(jobs)
+        return [{"failure": f"> {limit} s"}] * len(jobs)
     figures = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     crash = {"failure": (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]}
     return figures + [crash] * (len(jobs) - len(figures))
