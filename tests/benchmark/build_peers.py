@@ -7,6 +7,7 @@ All are compiled by the same compiler with the same flags, except Debian's mesho
 
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -23,14 +24,18 @@ def compile_object(folder: Path, name: str, sources: list[Path], arguments: list
 
 
 def fetch_newest_meshoptimizer(folder: Path) -> Path | None:
-    """C++ sources of the newest meshoptimizer, out of the crate that carries them; None without Cargo."""
-    if shutil.which("cargo") is None:
-        return None
+    """C++ sources of the newest meshoptimizer, out of the crate that carries them; None where Cargo cannot fetch it."""
     project = folder / "newest_meshoptimizer"
     sources = project / "vendor" / "meshopt" / "vendor" / "src"
     if not sources.exists():
+        if shutil.which("cargo") is None:
+            print("No Cargo here: the newest meshoptimizer is left out.", file=sys.stderr)
+            return None
         shutil.copytree(HERE / "peers" / "newest", project, dirs_exist_ok=True)
-        subprocess.run(["cargo", "vendor", "--quiet", "vendor"], cwd=project, check=True, stdout=subprocess.DEVNULL)
+        fetched = subprocess.run(["cargo", "vendor", "--quiet", "vendor"], cwd=project, stdout=subprocess.DEVNULL)
+        if fetched.returncode != 0:
+            print("Cargo (1.85 or newer is needed) failed: the newest meshoptimizer is left out.", file=sys.stderr)
+            return None
     return sources
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import page_geometry as geometry
 import page_speed as speed
-from meshes import GROUPS
+from meshes import GROUPS, MODELS
 from metrics import SAMPLES
 from page_aims import aim_lines
 from page_validity import validity_lines
@@ -34,8 +34,22 @@ area on either side, fixed seed), in percent of the diagonal of the original's b
 - **perceptual difference** how different both look, from 0 to 1: curvature between closest points compared by mean,
   deviation and structure in small neighbourhoods, [after Lavoué's MSDM2](../tests/benchmark/perceptual.py).
 
-In ratios to CGAL's tools two distances below 0.001 % count as equal. Groups: {groups}.
-These public test models are not part of the project; `--meshes FOLDER` tells where they are.
+In ratios to CGAL's tools two distances below 0.001 % count as equal. Groups: {groups}. {origin}
+"""
+
+MODELS_ORIGIN = (
+    "These public test models are not part of the project;\n`--meshes FOLDER` tells where they are. The last section "
+    "on geometry adds the project's own [sample meshes](../sample_meshes)."
+)
+
+SAMPLES_ORIGIN = (
+    "**These are not the public test models for which the aims\nwere set**: `--meshes FOLDER` tells where those are "
+    "({models})."
+)
+
+QUICK = """
+**A quick run: few meshes, four peers, small meshes where a million faces are meant.** It shows that everything works;
+its figures say little about the aims.
 """
 
 LOOKS = (
@@ -80,6 +94,15 @@ def environment_lines(machine: dict) -> list[str]:
         versions + ".",
         "",
     ]
+
+
+def definitions(measured: list[str]) -> str:
+    """What the figures mean, and on which meshes they were taken."""
+    shown = {group: [name for name in names if name in measured] for group, names in GROUPS.items()}
+    groups = "; ".join(f"{group}: {', '.join(names)}" for group, names in shown.items() if names)
+    models = [name for names in MODELS.values() for name in names]
+    origin = MODELS_ORIGIN if set(models) & set(measured) else SAMPLES_ORIGIN.format(models=", ".join(models))
+    return DEFINITIONS.format(samples=SAMPLES, groups=groups or "none", origin=origin)
 
 
 def geometry_lines(section: dict) -> list[str]:
@@ -203,12 +226,11 @@ def settings_lines(section: dict) -> list[str]:
 
 def write_page(sections: dict, destination: Path, command: str) -> None:
     """The whole page."""
-    groups = "; ".join(f"{group}: {', '.join(names)}" for group, names in GROUPS.items())
     quality = sections.get("quality", {})
     parts = [
-        HEAD.format(command=command),
+        HEAD.format(command=command) + (QUICK if sections.get("run", {}).get("quick") else ""),
         *environment_lines(sections["machine"]),
-        DEFINITIONS.format(samples=SAMPLES, groups=groups),
+        definitions(sections.get("run", {}).get("meshes", [])),
         *aim_lines(sections),
         *geometry_lines(quality),
         *validity_lines(sections.get("validity", {})),

@@ -56,7 +56,7 @@ def group_table(section: dict) -> list[str]:
 
 def tool_table(section: dict) -> list[str]:
     """Every tool on one line: mean ratios with the range over the runs, and its faults."""
-    reference = benchmark_runs(section, REFERENCE)
+    reference, missing = benchmark_runs(section, REFERENCE), []
     lines = [
         "| tool | rms | median (range) of rms | feature rms | Hausdorff | normal deviation | folded faces "
         "| new non-manifold edges | targets missed | failed runs | CPU time |",
@@ -67,7 +67,9 @@ def tool_table(section: dict) -> list[str]:
         common = [key for key in runs if key in reference]
         if common:
             lines.append(tool_row(peer, section, runs, reference, common))
-    return lines
+        else:
+            missing.append(title_of(peer))
+    return lines + (["", "Without a result in this run: " + "; ".join(missing) + "."] if missing else [])
 
 
 def look_table(section: dict) -> list[str]:

@@ -64,8 +64,13 @@ def sum_and_maximum(counts: dict) -> str:
 def reference_cell(section: dict, name: str) -> str:
     """Lindstrom-Turk's folded faces, and the targets that it missed."""
     found = compare(section, REFERENCE, [name])
-    missed = f", misses {len(found.missed)} targets" if found.missed else ""
-    return sum_and_maximum(found.folded) + missed
+    return sum_and_maximum(found.folded) + (f", {missed_text(found)}" if found.missed else "")
+
+
+def missed_text(found: Comparison) -> str:
+    """The targets not reached, with the faces that are left."""
+    missed = [f"{percent:g} % ({faces} faces, not {target})" for (_, percent), (faces, target) in found.missed.items()]
+    return "target missed at " + ", ".join(missed)
 
 
 def folded_cell(found: Comparison) -> str:
@@ -78,9 +83,9 @@ def fault_text(title: str, found: Comparison) -> str:
     """What else is wrong in one tool's runs on one mesh; empty where nothing is."""
     if found.clean:
         return ""
-    runs_with = {"target missed": found.missed, "failed": found.failed}
-    runs_with |= {text: found.others[fault] for fault, text in OTHER_FAULTS.items()}
-    parts = [
+    runs_with = {"failed": found.failed} | {text: found.others[fault] for fault, text in OTHER_FAULTS.items()}
+    parts = [missed_text(found)] if found.missed else []
+    parts += [
         f"{text} at {', '.join(f'{percent:g}' for _, percent in keys)} %" for text, keys in runs_with.items() if keys
     ]
     return bold(f"{title}: " + ", ".join(parts))

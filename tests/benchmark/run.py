@@ -71,6 +71,7 @@ class Benchmark:
         if not self.meshes:
             self.meshes = meshes_in(arguments.meshes, self.workshop.inputs, ["flange", "creature"])
         self.by_name = {mesh.name: mesh for mesh in self.meshes}
+        self.store.sections["run"] = {"quick": self.quick, "meshes": list(self.by_name)}
 
     def large_mesh(self, smooth: bool = False):
         """About a million faces: igea cut once, or whatever there is."""

@@ -71,7 +71,7 @@ class Comparison:
     folded: dict  # (mesh, percent): faces
     reference: dict  # the same runs of Lindstrom-Turk
     more_folded: list  # the runs with more of them than Lindstrom-Turk
-    missed: list  # targets not reached
+    missed: dict  # targets not reached: (mesh, percent): (faces, target)
     failed: list  # runs without a result
     others: dict  # fault: the runs that have it
 
@@ -93,7 +93,7 @@ def compare(section: dict, peer_id: str, names=None) -> Comparison:
         folded=folded,
         reference=beside,
         more_folded=[key for key in runs if folded[key] > beside[key]],
-        missed=[key for key, run in runs.items() if run["faces"] > run["target"]],
+        missed={key: (run["faces"], run["target"]) for key, run in runs.items() if run["faces"] > run["target"]},
         failed=[key for key in failures_of(section, peer_id) if names is None or key[0] in names],
         others={fault: [key for key, run in runs.items() if run[fault]] for fault in OTHER_FAULTS},
     )
