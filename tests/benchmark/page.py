@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes docs/benchmark.md from the stored figures. Every figure of the page comes from here."""
 
+import os
 from pathlib import Path
 
 import page_geometry as geometry
 import page_speed as speed
+from build_peers import PROJECT
 from meshes import GROUPS, MODELS
 from metrics import SAMPLES
 from page_aims import aim_lines
 from page_validity import validity_lines
 from peers import OWN, PEERS, Peer, peer_named
+from ratio_tables import EQUAL_BELOW
 from timing import busy_cores
 
 HEAD = """<!-- Written by scripts/benchmark; changes by hand are lost. -->
@@ -38,8 +41,8 @@ In ratios to CGAL's tools two distances below 0.001 % count as equal. Groups: {g
 """
 
 MODELS_ORIGIN = (
-    "These public test models are not part of the project;\n`--meshes FOLDER` tells where they are. The last section "
-    "on geometry adds the project's own [sample meshes](../sample_meshes)."
+    "These public test models are not part of the project;\n`--meshes FOLDER` tells where they are. Folded faces and "
+    "topology are also counted on the other meshes of that folder and on [sample_meshes](../sample_meshes)."
 )
 
 SAMPLES_ORIGIN = (
@@ -124,12 +127,13 @@ def geometry_lines(section: dict) -> list[str]:
         *geometry.tool_table(section),
         "",
     ]
-    lines += ["### Perceived difference", "", LOOKS, "", *geometry.look_table(section), ""]
+    lines += ["### Perceptual difference", "", LOOKS, "", *geometry.look_table(section), ""]
     for peer in shown:
         lines += [
             f"### {geometry.title_of(peer)} against MeshLab's defaults, mesh by mesh",
             "",
-            "rms/feature rms as ratios to pymeshlab's quadric decimation with defaults, however small both are.",
+            "rms/feature rms as ratios to pymeshlab's quadric decimation with defaults; in brackets where both are "
+            f"below {EQUAL_BELOW} % of the diagonal.",
             "",
             *geometry.host_table(section, peer),
             "",
@@ -240,7 +244,8 @@ def write_page(sections: dict, destination: Path, command: str) -> None:
         *settings_lines(quality),
         TRAPS,
     ]
-    destination.write_text("\n".join(parts), encoding="utf-8")
+    top = os.path.relpath(PROJECT, destination.parent.resolve())
+    destination.write_text("\n".join(parts).replace("](../", f"]({top}/"), encoding="utf-8")
 
 
 def picture_captions(quality: dict, name: str, percent: float) -> dict:

@@ -9,6 +9,7 @@ from peers import HOST, OWN, PEERS, REFERENCE, SECOND_REFERENCE, Peer
 from quality import table_of
 from ratio_tables import (
     AXES,
+    EQUAL_BELOW,
     LOOK,
     cell_text,
     cells,
@@ -67,9 +68,10 @@ def tool_table(section: dict) -> list[str]:
         common = [key for key in runs if key in reference]
         if common:
             lines.append(tool_row(peer, section, runs, reference, common))
-        else:
-            missing.append(title_of(peer))
-    return lines + (["", "Without a result in this run: " + "; ".join(missing) + "."] if missing else [])
+        elif section.get(peer.id):
+            why = next((run["failure"] for run in section[peer.id].values() if "failure" in run), "no common mesh")
+            missing.append(f"{title_of(peer)} ({why})")
+    return lines + (["", "Without a result: " + "; ".join(missing) + "."] if missing else [])
 
 
 def look_table(section: dict) -> list[str]:
@@ -137,8 +139,15 @@ def host_table(section: dict, peer: Peer) -> list[str]:
 def _host_cell(run, host) -> str:
     if run is None or host is None:
         return "–"
-    values = [max(run[axis], 1e-9) / max(host[axis], 1e-9) for axis in ("rms", "feature_rms")]
-    return "/".join(bold(f"{value:.2f}") if value >= 1 else f"{value:.2f}" for value in values)
+    return "/".join(_host_ratio(run[axis], host[axis]) for axis in ("rms", "feature_rms"))
+
+
+def _host_ratio(value: float, host: float) -> str:
+    """Bold where the host is as good or better; in brackets where both distances are too small to matter."""
+    shown = f"{max(value, 1e-9) / max(host, 1e-9):.2f}"
+    if max(value, host) < EQUAL_BELOW:
+        shown = f"({shown})"
+    return bold(shown) if value >= host else shown
 
 
 def absolute_table(section: dict, peer_ids: list[str]) -> list[str]:

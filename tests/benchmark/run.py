@@ -40,7 +40,7 @@ MIDPOINT_PAIRS = [
 BEST_FACES = 20_000  # from here effort best is timed against Lindstrom-Turk
 PICTURES = {"fandisk": 10, "bunny": 2, "rocker_arm": 10}
 GROWTH_CHAIN = ("bunny10k_textured", "bunny")  # then the last one, its faces cut into four again and again
-LARGEST_GROWTH = {True: 300_000, False: 20_000_000}
+LARGEST_GROWTH = {True: 400_000, False: 20_000_000}
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -51,7 +51,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--section", choices=SECTIONS, action="append", help="measure only this; may be repeated")
     parser.add_argument("--rounds", type=int, default=5, help="rounds of the measurements of time")
     parser.add_argument("--limit", type=int, default=TOOL_SECONDS, help="seconds for a tool among all in speed")
-    parser.add_argument("--quick", action="store_true", help="two meshes and four peers, in minutes")
+    parser.add_argument("--quick", action="store_true", help="few meshes and peers, small sizes, in minutes")
     parser.add_argument("--page", type=Path, help="default: docs/benchmark.md; with --quick a page in the folder")
     return parser.parse_args()
 
@@ -62,9 +62,11 @@ class Benchmark:
     def __init__(self, arguments: argparse.Namespace):
         self.arguments = arguments
         self.quick = arguments.quick
+        self.rounds = min(2, arguments.rounds) if self.quick else arguments.rounds
         folder = arguments.folder / "quick" if self.quick else arguments.folder
         self.workshop = Workshop(folder)
         self.store = Store(folder / "results.json")
+        self.page = arguments.page or (folder if self.quick else PROJECT / "docs") / "benchmark.md"
         build_all(self.workshop.peers, arguments.vcglib)
         self.store.sections["machine"] = machine.describe(self.workshop.peers)
         self.meshes = meshes_in(arguments.meshes, self.workshop.inputs, QUICK_MESHES if self.quick else None)
@@ -76,7 +78,7 @@ class Benchmark:
     def large_mesh(self, smooth: bool = False):
         """About a million faces: igea cut once, or whatever there is."""
         if self.quick or "igea" not in self.by_name:
-            return subdivided(self.meshes[0], 2, self.workshop.inputs, smooth)
+            return subdivided(self.meshes[0], 1 if self.quick else 3, self.workshop.inputs, smooth)
         return subdivided(self.by_name["igea"], 1, self.workshop.inputs, smooth)
 
     def every_mesh(self):
@@ -98,8 +100,7 @@ class Benchmark:
 
     def speed(self):
         """The pairs that aims compare, then all tools beside each other on one core each."""
-        rounds = self.arguments.rounds
-        plan, fewer = Plan(SPEED_PERCENT, rounds), Plan(SPEED_PERCENT, min(3, rounds))
+        plan, fewer = Plan(SPEED_PERCENT, self.rounds), Plan(SPEED_PERCENT, min(3, self.rounds))
         large, smooth = self.large_mesh(), self.large_mesh(smooth=True)
         self.store.sections["speed"] = {"large": large.name, "smooth": smooth.name}
         midpoint = [pair for pair in MIDPOINT_PAIRS if not self.quick or pair[1] != "meshoptimizer"]
@@ -110,7 +111,7 @@ class Benchmark:
                 measure_pairs(self.workshop, self.store, mesh, [("engine_best", REFERENCE)], fewer)
         tools = [peer.id for peer in [*ENGINE, *OWN] if peer.threads == 1]
         tools += [peer.id for peer in PEERS if not self.quick or peer.id in QUICK_PEERS]
-        limited = Plan(SPEED_PERCENT, min(3, rounds), self.arguments.limit)
+        limited = Plan(SPEED_PERCENT, min(3, self.rounds), self.arguments.limit)
         measure_speed(self.workshop, self.store, large, tools, limited)
 
     def growth(self):
@@ -119,20 +120,19 @@ class Benchmark:
         for times in range(1, 8):
             if last.face_count * 4**times <= LARGEST_GROWTH[self.quick]:
                 meshes.append(subdivided(last, times, self.workshop.inputs))
-        plan = Plan(SPEED_PERCENT, min(3, self.arguments.rounds))
+        plan = Plan(SPEED_PERCENT, min(3, self.rounds))
         measure_growth(self.workshop, self.store, meshes, ["engine_fast", "engine_balanced"], plan)
 
     def descriptor(self):
-        arguments = self.arguments
-        measure_descriptor(self.workshop, self.store, self.large_mesh(), arguments.vcglib, arguments.rounds)
+        measure_descriptor(self.workshop, self.store, self.large_mesh(), self.arguments.vcglib, self.rounds)
 
     def pictures(self):
         shown = self.store.sections["pictures"] = {}
         for name, percent in PICTURES.items():
             if name in self.by_name:
-                folder = self.workshop.folder if self.quick else PROJECT / "docs" / "images" / "benchmark"
                 captions = picture_captions(self.store.section("quality"), name, percent)
-                draw_error_maps(self.workshop, self.by_name[name], percent, folder / f"{name}.png", captions)
+                destination = self.page.parent / "images" / "benchmark" / f"{name}.png"
+                draw_error_maps(self.workshop, self.by_name[name], percent, destination, captions)
                 shown[name] = {"text": f"{name.replace('_', ' ')}, {percent} % of the faces:"}
 
 
@@ -143,8 +143,7 @@ def main() -> None:
         if not arguments.section or section in arguments.section:
             getattr(benchmark, section)()
             benchmark.store.save()
-    usual = benchmark.workshop.folder if arguments.quick else PROJECT / "docs"
-    page = arguments.page or usual / "benchmark.md"
+    page = benchmark.page.resolve()
     write_page(benchmark.store.sections, page, "`scripts/benchmark --meshes FOLDER`, or `--quick`")
     print(f"written: {page.relative_to(PROJECT) if page.is_relative_to(PROJECT) else page}")
 
