@@ -161,7 +161,8 @@ def speed_lines(sections: dict) -> list[str]:
             f"### All tools on {tools['faces']:,} faces ({speed.input_name(tools['mesh'])}), to {tools['percent']:g} %",
             "",
             "Medians over rounds in which the tools take turns; ratios are taken inside a round (median, range). "
-            f"Others kept {busy_cores(*rounds):.1f} cores busy. A tool that was stopped at the time limit shows it.",
+            f"Others kept {busy_cores(*rounds):.1f} cores busy. A tool that was stopped shows after how many processor "
+            "seconds, its start and reading the mesh included.",
             "",
             *speed.speed_table(tools, "meshoptimizer_debian"),
             "",

@@ -111,7 +111,7 @@ def growth_factor(growth: dict, peer_id: str) -> float | None:
     per_face = [(row["faces"], medians(row["figures"][peer_id])["cpu_seconds"] / row["faces"]) for row in rows]
     before = [seconds for faces, seconds in per_face if faces < LARGE_FACES][-1:]
     after = [seconds for faces, seconds in per_face if faces >= LARGE_FACES]
-    if len(before + after) < 2 or not after:
+    if len(after) < 2:
         return None
     return after[-1] / min(before + after[:1])
 

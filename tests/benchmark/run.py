@@ -27,7 +27,7 @@ QUICK_MESHES = ("fandisk", "cow")
 QUICK_FACES = 16_000
 QUICK_PEERS = ("cgal_lt", "cgal_gh", "pymeshlab", "meshoptimizer_debian")
 SPEED_PERCENT = 10
-TOOL_SECONDS = 300  # of a process, with its start and the mesh's way into the library
+TOOL_SECONDS = 300  # of a processor, with the process's start and the mesh's way into the library
 SIMPLIFY = "meshoptimizer_debian"
 ENGINE_PAIRS = [("engine_fast", SIMPLIFY), ("engine_balanced", SIMPLIFY), ("engine_fast_2", "engine_fast")]
 MIDPOINT_PAIRS = [
@@ -50,7 +50,9 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--vcglib", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--section", choices=SECTIONS, action="append", help="measure only this; may be repeated")
     parser.add_argument("--rounds", type=int, default=5, help="rounds of the measurements of time")
-    parser.add_argument("--limit", type=int, default=TOOL_SECONDS, help="seconds for a tool among all in speed")
+    parser.add_argument(
+        "--limit", type=int, default=TOOL_SECONDS, help="processor seconds of a tool among all in speed"
+    )
     parser.add_argument("--quick", action="store_true", help="few meshes and peers, small sizes, in minutes")
     parser.add_argument("--page", type=Path, help="default: docs/benchmark.md; with --quick a page in the folder")
     return parser.parse_args()

@@ -19,7 +19,7 @@ from stopwatch import Neighbours
 
 @dataclass(frozen=True)
 class Plan:
-    """How often a tool runs, to how many percent of the faces, and after how many seconds it is stopped."""
+    """How often a tool runs, to how many percent of the faces, and how many seconds of a processor it may use."""
 
     percent: float
     rounds: int
