@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Processor time of the descriptors per face, on plain arrays and on VCG meshes, beside VCG's mean curvature
-// with the adjacency that it needs, all in turns in one run: descriptor_benchmark [FACES] [ROUNDS]
+// with the adjacency that it needs, all in turns in one run: descriptor_benchmark [MESH.ply] [ROUNDS]
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

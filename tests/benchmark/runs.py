@@ -16,6 +16,8 @@ import numpy as np
 from mesh_topology import Mesh, without_unreferenced
 from meshes import BenchmarkMesh
 
+ONE_RUN = Path(__file__).with_name("one_run.py")
+LAYOUT = 2  # of the stored figures
 LONGEST_SECONDS = 1800
 WAITING = 4  # elapsed seconds that a process has for one of a processor
 
@@ -44,11 +46,16 @@ class Workshop:
 
 
 class Store:
-    """Figures by section, kept in a JSON file after every change."""
+    """Figures by section, kept in a JSON file after every change.
+
+    Of a file in an older layout only the geometry is taken over.
+    """
 
     def __init__(self, path: Path):
         self._path = path
         self.sections = json.loads(path.read_text()) if path.exists() else {}
+        if self.sections.get("layout") != LAYOUT:
+            self.sections = {"layout": LAYOUT, "quality": self.sections.get("quality", {})}
 
     def section(self, name: str) -> dict:
         return self.sections.setdefault(name, {})
@@ -68,7 +75,7 @@ def run_tool(
     The process may use `limit` seconds of a processor; where others keep the machine busy it has longer to do so.
     Returns times and peak memory of each, or {"failure": why}.
     """
-    command = [sys.executable, str(Path(__file__).with_name("one_run.py")), peer_id, str(mesh.arrays)]
+    command = [sys.executable, str(ONE_RUN), peer_id, str(mesh.arrays)]
     for faces, destination in jobs:
         destination.parent.mkdir(parents=True, exist_ok=True)
         command += [str(faces), str(destination)]

@@ -4,12 +4,14 @@
 
 import pytest
 
-from meshes import GROUPS, PERCENTS
+import runs
+from meshes import GROUPS, PERCENTS, BenchmarkMesh
 from page_aims import Aim, aim_lines, aims_by_subject, distance_aims, runs_behind, validity_aims
 from page_geometry import look_table
 from page_speed import growth_factor, input_name, pair_table, speed_table
 from page_validity import validity_lines
 from ratio_tables import cells
+from runs import Store, Workshop, run_tool
 from timing import ratio_of_least, ratios
 
 NAMES = [name for names in GROUPS.values() for name in names]
@@ -59,11 +61,11 @@ def test_only_refinement_aims_at_the_normals():
 
 
 def test_a_cell_is_lost_to_the_better_of_both_unless_all_are_tiny():
-    def runs(rms):
+    def one_run(rms):
         return {("cow", 50): {"rms": rms, "feature_rms": 1.0, "hausdorff": 1.0, "normal_deviation": 1.0}}
 
     def rms_cell(own, reference, second):
-        found = cells(runs(own), runs(reference), runs(second))
+        found = cells(one_run(own), one_run(reference), one_run(second))
         return next(cell for cell in found if cell.axis == "rms")
 
     assert rms_cell(0.9, 1.0, 0.8).lost
@@ -81,11 +83,11 @@ def test_a_run_behind_the_host_is_named_even_where_it_is_tiny():
 
 
 def validity_section() -> dict:
-    runs = {peer: {"cow_50": clean_run(), "cow_1": clean_run()} for peer in ("cgal_lt", "fast", "balanced")}
-    runs["cgal_lt"]["cow_50"]["folded_faces"] = 2
-    runs["fast"]["cow_50"]["folded_faces"] = 3
-    runs["balanced"]["cow_1"] |= {"faces": 11, "new_non_manifold_edges": 1}
-    return {"faces": {"cow": 100}, "percents": [50, 1], "runs": runs}
+    tools = {peer: {"cow_50": clean_run(), "cow_1": clean_run()} for peer in ("cgal_lt", "fast", "balanced")}
+    tools["cgal_lt"]["cow_50"]["folded_faces"] = 2
+    tools["fast"]["cow_50"]["folded_faces"] = 3
+    tools["balanced"]["cow_1"] |= {"faces": 11, "new_non_manifold_edges": 1}
+    return {"faces": {"cow": 100}, "percents": [50, 1], "runs": tools}
 
 
 def test_validity_names_the_runs_with_more_folded_faces_and_other_faults():
@@ -146,3 +148,25 @@ def test_the_perceptual_table_has_ratios_by_group_and_leaves_old_figures_out():
     lines = look_table(section)
     assert len(lines) == 4  # head, rule, fast and the reference itself
     assert lines[2].count("**1.20**") == 9
+
+
+def test_figures_in_an_older_layout_are_forgotten_but_for_the_geometry(tmp_path):
+    path = tmp_path / "results.json"
+    path.write_text('{"quality": {"cgal_lt": {}}, "descriptor": {"arrays": "text"}}')
+    store = Store(path)
+    assert store.section("quality") == {"cgal_lt": {}}
+    assert "descriptor" not in store.sections
+    store.section("speed")["large"] = "igea"
+    store.save()
+    assert Store(path).section("speed") == {"large": "igea"}
+
+
+def test_a_tool_that_fails_says_why_and_one_that_takes_too_long_is_stopped(tmp_path, monkeypatch):
+    script = tmp_path / "one_run.py"
+    monkeypatch.setattr(runs, "ONE_RUN", script)
+    mesh = BenchmarkMesh("cow", "natural", tmp_path / "cow.npz", tmp_path / "cow.ply")
+    jobs = [(10, tmp_path / "result.npz")]
+    script.write_text("raise SystemExit('no such tool')")
+    assert run_tool(Workshop(tmp_path), "cgal_lt", mesh, jobs) == [{"failure": "no such tool"}]
+    script.write_text("while True: pass")
+    assert run_tool(Workshop(tmp_path), "cgal_lt", mesh, jobs, limit=1) == [{"failure": "> 1 s"}]
