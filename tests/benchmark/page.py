@@ -122,7 +122,7 @@ def geometry_lines(section: dict) -> list[str]:
         "## All tools",
         "",
         "Over all meshes and percentages of both groups, ratios to CGAL's Lindstrom–Turk: geometric means, for rms "
-        "also median and range over the runs; faults are sums. CPU time is of single runs, one after the other.",
+        "also median and range over the runs; faults are sums. CPU time is the sum of single runs.",
         "",
         *geometry.tool_table(section),
         "",

@@ -7,7 +7,7 @@ import pytest
 import runs
 from meshes import GROUPS, PERCENTS, BenchmarkMesh
 from page_aims import Aim, aim_lines, aims_by_subject, distance_aims, runs_behind, validity_aims
-from page_geometry import look_table
+from page_geometry import look_table, tool_table
 from page_speed import growth_factor, input_name, pair_table, speed_table
 from page_validity import validity_lines
 from ratio_tables import cells
@@ -170,3 +170,10 @@ def test_a_tool_that_fails_says_why_and_one_that_takes_too_long_is_stopped(tmp_p
     assert run_tool(Workshop(tmp_path), "cgal_lt", mesh, jobs) == [{"failure": "no such tool"}]
     script.write_text("while True: pass")
     assert run_tool(Workshop(tmp_path), "cgal_lt", mesh, jobs, limit=1) == [{"failure": "> 1 s"}]
+
+
+def test_a_run_too_short_for_the_clock_does_not_stop_the_page():
+    counts = {"faces": 10, "target": 10, "folded_faces": 0, "new_non_manifold_edges": 0}
+    section = {"cgal_lt": table(cpu_seconds=1.0, **counts), "fast": table(cpu_seconds=0.5, **counts)}
+    section["fast"]["cow_2"]["cpu_seconds"] = section["cgal_lt"]["cow_2"]["cpu_seconds"] = 0.0
+    assert tool_table(section)[2].endswith("| 0.50 |")
