@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "decimated_view.h"
 #include "decimation_types.h"
 #include "descriptor.h"
 #include "refinement.h"
@@ -33,23 +34,6 @@ inline std::vector<float> SampleWeights(const MeshView& view, int threads)
     return weights;
 }
 
-/// The result of a collapse as a view of its own. \param fixed holds the flags that the view points to
-inline MeshView ViewOf(const DecimatedMesh& mesh, const MeshView& original, std::vector<std::uint8_t>& fixed)
-{
-    MeshView view;
-    view.positions = mesh.positions.data();
-    view.positionStride = sizeof mesh.positions[0];
-    view.doublePositions = true;
-    view.vertexCount = mesh.positions.size();
-    view.triangles = mesh.triangles.front().data();
-    view.faceCount = mesh.triangles.size();
-    if (original.fixedVertices != nullptr) {
-        for (const std::uint32_t origin : mesh.vertexOrigin) fixed.push_back(original.fixedVertices[origin]);
-        view.fixedVertices = fixed.data();
-    }
-    return view;
-}
-
 } // namespace refine_detail
 
 /// Refines the outcome of any collapse in place; vertices that the refinement leaves alone keep their bits.
@@ -64,7 +48,7 @@ inline bool RefineDecimated(const MeshView& original, DecimatedMesh& mesh,
     const auto weights = refine_detail::SampleWeights(original, threads);
     const SurfaceArrays before = BuildSurfaceArrays(original, frame, weights.data(), threads);
     std::vector<std::uint8_t> fixed;
-    const MeshView collapsed = refine_detail::ViewOf(mesh, original, fixed);
+    const MeshView collapsed = ViewOf(mesh, original, fixed);
     SurfaceArrays after = BuildSurfaceArrays(collapsed, frame, nullptr, threads);
     Buffer<std::uint32_t> roots(root.size());
     std::copy(root.begin(), root.end(), roots.begin());

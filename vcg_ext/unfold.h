@@ -9,11 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "buffer.h"
+#include "decimated_view.h"
 #include "decimation_types.h"
 #include "face_tree.h"
 #include "parallel.h"
-#include "refine_decimated.h"
 #include "surface_builder.h"
 #include "unfolder.h"
 
@@ -89,7 +88,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
     UnfoldingReport report;
     if (mesh.triangles.empty()) return report;
     std::vector<std::uint8_t> fixed;
-    const MeshView simplified = refine_detail::ViewOf(mesh, original, fixed);
+    const MeshView simplified = ViewOf(mesh, original, fixed);
     const SurfaceFrame frame = FrameOf(simplified);
     const FaceTree tree(original, frame, threads);
     std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
