@@ -26,11 +26,15 @@ constexpr float kLengthCost = 1e-12f;
 /// Weight of the volume plane against the planes of the stars.
 constexpr float kVolumeWeight = 3.0f;
 /// Triangle quality (twice the area over the longest edge squared) below which a cost rises.
-constexpr float kPoorQuality = 0.05f;
+constexpr float kPoorQuality = 0.03f;
 /// A surviving face must not turn farther than this cosine: 78 degrees.
 constexpr float kTurnCosine = 0.2f;
 /// What keeps a division finite where all faces of both stars have no area, in the frame of 1024 a diagonal.
 constexpr float kTiny = 1e-30f;
+
+/// Two millionths of the diagonal, in the frame of 1024 a diagonal: errors below this are rounding. An input
+/// in float has a thirtieth of it already, and every placement that is computed adds as much.
+constexpr float kNoDistance = 2e-3f;
 
 /// A quadric about the place of its vertex: q(d) = d^T M d + 2 linear.d + constant.
 template <class Real>
@@ -117,6 +121,14 @@ template <class Real>
     const Real length2 = 4.0f * Dot(half, half);
     return Max(Max(star, history * kHistoryFloor), Real{}) +
            (kLengthCost * length2) * (a.history.matrix.Trace() + b.history.matrix.Trace());
+}
+
+/// What an edge costs, at most, whose placement misses the planes of its ends by kNoDistance: below it one
+/// placement is as good as another.
+template <class Real>
+[[gnu::always_inline]] inline Real RoundingCost(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b)
+{
+    return kNoDistance * kNoDistance * (a.history.matrix.Trace() + b.history.matrix.Trace());
 }
 
 /// The stars of both ends as areas with direction.

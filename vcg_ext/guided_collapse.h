@@ -34,7 +34,7 @@ struct GuidedParameters {
 ///
 ///     Q(x)  = w_u C_u(x) + w_v C_v(x)                                       no memory
 ///     x     = argmin Q(x) + volume plane + 1e-6 trace(Q) / 3 |x - midpoint|²
-///     cost  = (max(Q(x), .35 (A_u + A_v)(x)) + 1e-12 |uv|² trace(Q)) / min(worst quality, .05)
+///     cost  = (max(Q(x), .35 (A_u + A_v)(x)) + 1e-12 |uv|² trace(Q)) / min(worst quality, .03)
 ///
 /// Where a face would turn by more than acos(.2) the midpoint and the ends are tried for x, and the edge is
 /// refused if they do the same. The weight never falls: the survivor takes the larger l and w, and where its
@@ -53,7 +53,7 @@ class GuidedCollapse
     /// Part of the accumulated error that counts, where the present star has forgotten it.
     static constexpr double kMemoryFloor = .35;
     /// Triangles better than this, 2 area / longest edge², are not told apart.
-    static constexpr double kQualityClamp = .05;
+    static constexpr double kQualityClamp = .03;
     /// Decides between edges that cost nothing: the shorter first.
     static constexpr double kLengthTerm = 1e-12;
     /// Pull to the midpoint where the quadric determines nothing.

@@ -58,6 +58,11 @@ class GuidedStars
     /// Weight of planes across edges that turn by more than 30 degrees, against those of the border.
     static constexpr double kSharpEdgeWeight = .1;
     static constexpr double kSharpCosine = .86602540378443865;
+    /// The same of edges that turn by more than 120 degrees, where a vertex has two: the tip of a thin part.
+    /// The planes of its faces are all nearly the same there and do not know the outline.
+    static constexpr double kTipWeight = .7;
+    static constexpr double kFoldCosine = -.5;
+    static constexpr int kFoldsAtATip = 2;
 
     Mesh& mesh_;
     CollapseFrame frame_;
@@ -88,12 +93,31 @@ class GuidedStars
         if (normal.doubleArea > 0) quadric.AddOuter((normal.normal ^ edge) / normal.doubleArea, weight);
     }
 
-    bool IsSharp(const RingEdge<Mesh>& edge) const
+    /// Do the two faces of the edge turn by more than the angle of that cosine?
+    bool IsSharp(const RingEdge<Mesh>& edge, double cosine) const
     {
         if (edge.faceCount != 2) return false;
         const FaceNormal& a = NormalOf(edge.faces[0]);
         const FaceNormal& b = NormalOf(edge.faces[1]);
-        return a.normal.dot(b.normal) < kSharpCosine * a.doubleArea * b.doubleArea;
+        return a.normal.dot(b.normal) < cosine * a.doubleArea * b.doubleArea;
+    }
+
+    /// Planes across both faces of all sharp edges at \p vertex.
+    SymmetricMatrix SharpPlanes(const VertexType& vertex, const Ring& ring) const
+    {
+        SymmetricMatrix creases, folded;
+        int folds = 0;
+        for (const RingEdge<Mesh>& edge : ring) {
+            if (!IsSharp(edge, kSharpCosine)) continue;
+            const bool fold = IsSharp(edge, kFoldCosine);
+            folds += fold;
+            for (const FaceType* face : edge.faces)
+                AddPlaneAcross(fold ? folded : creases, &vertex, edge.neighbour, face, 1);
+        }
+        SymmetricMatrix planes;
+        planes.Add(creases, kSharpEdgeWeight);
+        planes.Add(folded, folds < kFoldsAtATip ? kSharpEdgeWeight : kTipWeight);
+        return planes;
     }
 
     /// C: planes of the faces and, on the border, across its edges.
@@ -116,11 +140,7 @@ class GuidedStars
         const std::size_t v = IndexOf(&vertex);
         const Ring& ring = ring_.Collect(vertex);
         atBorder_[v] = TouchesBorder<Mesh>(ring);
-        SymmetricMatrix sharp;
-        for (const RingEdge<Mesh>& edge : ring)
-            if (IsSharp(edge))
-                for (const FaceType* face : edge.faces)
-                    AddPlaneAcross(sharp, &vertex, edge.neighbour, face, kSharpEdgeWeight);
+        const SymmetricMatrix sharp = SharpPlanes(vertex, ring);
         RebuildStar(vertex);
         vertices_[v].accumulated.a = vertices_[v].star;
         vertices_[v].accumulated.a.Add(sharp, 1);

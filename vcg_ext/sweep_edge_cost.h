@@ -83,7 +83,7 @@ inline Vector3<Float4> OffsetToFixedEnd(const SweepState& state, std::uint32_t v
             Select(fixed, towards * half.z, free.z)};
 }
 
-/// Placement and cost of the edges from \p v to all collected neighbours, four at a time.
+/// Costs of the edges from \p v to all collected neighbours, four at a time.
 inline void EvaluateEdges(const SweepState& state, std::uint32_t v, NeighbourScratch& neighbours)
 {
     std::uint32_t* w = neighbours.vertex.data();
@@ -95,11 +95,7 @@ inline void EvaluateEdges(const SweepState& state, std::uint32_t v, NeighbourScr
         const Vector3<Float4> half = HalfEdgeVector(a, b);
         Vector3<Float4> offset = OptimalOffset(a, b, half);
         if (state.anyFixed) offset = OffsetToFixedEnd(state, v, w + i, half, offset);
-        const Vector3<Float4> placement = offset + half + a.position;
         Store(&neighbours.cost[i], EdgeCost(a, b, half, offset));
-        Store(&neighbours.x[i], placement.x);
-        Store(&neighbours.y[i], placement.y);
-        Store(&neighbours.z[i], placement.z);
     }
     if (!state.anyFixed || !state.Has(v, kFixedVertex)) return;
     for (std::uint32_t i = 0; i < size; ++i)

@@ -24,12 +24,13 @@ class SweepSchedule
     static constexpr std::uint32_t kKeySamples = 4000;
     static constexpr double kFewestCandidates = 0.1; ///< part of the vertices that every sweep should reach
     static constexpr double kDeepReduction = 0.7; ///< with more faces to go, errors of rounding's size drown
-    static constexpr double kNoDistance = 2e-3;   ///< in the frame: two millionths of the diagonal
     static constexpr float kRatio = 3;            ///< from one threshold to the next
-    static constexpr double kMiddle = 1.8;        ///< times the target: the steps become half as large
+    static constexpr double kMiddle = 2.3;        ///< times the target: the steps become half as large
     static constexpr float kMiddleRatio = 1.7320508f;
     static constexpr double kNear = 1.3; ///< times the target: small steps, so that the last are well chosen
     static constexpr float kNearRatio = 1.19f;
+    static constexpr double kLast = 1.05; ///< times the target: the last sweep ends by index, not by cost
+    static constexpr float kLastRatio = 1.09f;
     static constexpr double kSlow = 1.0 / 400; ///< part of the faces below which a sweep was not worth it
     static constexpr float kSlowRatio = 2;
 
@@ -139,7 +140,9 @@ class SweepSchedule
     {
         const double need = static_cast<double>(state_.aliveFaces) / static_cast<double>(target);
         float ratio = need < kNear ? kNearRatio : need < kMiddle ? kMiddleRatio : kRatio;
-        if (static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces))
+        if (need < kLast)
+            ratio = kLastRatio;
+        else if (static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces))
             ratio = std::max(ratio, kSlowRatio);
         const double part = std::min(kFewestCandidates, 0.5 * std::max(0.0, 1 - 1 / need));
         return std::min(std::max(threshold * ratio, KeyQuantile(part)), kHighestThreshold);

@@ -18,7 +18,6 @@ namespace vcg_ext::sweeps
 struct NeighbourScratch {
     Buffer<std::uint32_t> vertex;
     Buffer<float> cost;
-    Buffer<float> x, y, z; ///< the placement
     std::uint32_t size = 0;
 
     void Reserve(std::size_t wanted)
@@ -26,7 +25,7 @@ struct NeighbourScratch {
         if (wanted + kLanes <= vertex.size()) return;
         const std::size_t room = std::max<std::size_t>(64, 2 * wanted + kLanes);
         vertex.Allocate(room);
-        for (Buffer<float>* values : {&cost, &x, &y, &z}) values->Allocate(room);
+        cost.Allocate(room);
     }
 };
 

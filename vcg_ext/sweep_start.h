@@ -22,6 +22,9 @@ class SweepStarter
     static constexpr std::size_t kGrain = 4096;
     static constexpr float kCreaseWeight = 0.1f;           ///< of a crease's perpendicular planes
     static constexpr float kCreaseCosine2 = 0.75f;         ///< cos^2 of 30 degrees: sharper is a crease
+    static constexpr float kFoldCosine2 = 0.25f;           ///< cos^2 of 120 degrees: sharper is a fold
+    static constexpr int kFoldsAtATip = 2;                 ///< folds that make their vertex the tip of one
+    static constexpr float kTipWeight = 0.7f;              ///< of the perpendicular planes of a tip's folds
     static constexpr float kFlatCosine2 = 0.9330127f;      ///< cos^2 of 15 degrees
     static constexpr std::uint32_t kMostSamples = 1 << 16; ///< for the percentile
     static constexpr double kPercentile = 0.999;
@@ -184,10 +187,13 @@ class SweepStarter
         if (boundary_ != Boundary::Free) sums.star = sums.star + BorderPlanesAt(state_, v);
     }
 
-    /// Planes perpendicular to both faces of every edge at \p v with more than 30 degrees between them.
+    /// Planes perpendicular to both faces of every edge at \p v with more than 30 degrees between them. Where
+    /// faces fold back on each other, at the tip of a thin part, these planes alone know the outline, as at a
+    /// border: the faces' own planes are all nearly the same.
     SymmetricMatrix3<float> CreasePlanes(std::uint32_t v, const Star& star) const
     {
-        SymmetricMatrix3<float> sum{};
+        SymmetricMatrix3<float> creases{}, folded{};
+        int folds = 0;
         std::vector<std::pair<std::uint32_t, std::uint32_t>> byPrevious(star.size);
         for (std::uint32_t i = 0; i < star.size; ++i) byPrevious[i] = {star.previous[i], star.face[i]};
         std::sort(byPrevious.begin(), byPrevious.end());
@@ -200,9 +206,12 @@ class SweepStarter
             const float product = Dot(m, n);
             if (product >= 0 && product * product >= kCreaseCosine2 * Dot(m, m) * Dot(n, n)) continue;
             const Vector3<float> edge = state_.Position(star.next[i]) - state_.Position(v);
-            sum = sum + kCreaseWeight * (PerpendicularPlane(m, edge) + PerpendicularPlane(n, edge));
+            const bool fold = product < 0 && product * product > kFoldCosine2 * Dot(m, m) * Dot(n, n);
+            SymmetricMatrix3<float>& sum = fold ? folded : creases;
+            sum = sum + (PerpendicularPlane(m, edge) + PerpendicularPlane(n, edge));
+            folds += fold;
         }
-        return sum;
+        return kCreaseWeight * creases + (folds < kFoldsAtATip ? kCreaseWeight : kTipWeight) * folded;
     }
 
     /// The diagonals of polygons join no neighbours; they are known of the input only.

@@ -37,6 +37,7 @@ class VertexVisitor
         bool outside = false;
         float cost = kRefusedKey; ///< of the edge with everything that is known now
         Vector3<float> placement{};
+        bool atRemoved = false; ///< the placement is where the vertex that was to go is: that one stays
     };
 
     SweepState& state_;
@@ -74,7 +75,10 @@ class VertexVisitor
             const Attempt attempt = Try(removed, survivor, best, range, step);
             if (attempt.outside) return VisitResult::PutOff;
             if (attempt.cost <= step.threshold) {
-                Merge(removed, survivor, attempt.placement, step);
+                if (attempt.atRemoved)
+                    Merge(survivor, removed, attempt.placement, step);
+                else
+                    Merge(removed, survivor, attempt.placement, step);
                 return VisitResult::Collapsed;
             }
             lowest = std::min(lowest, attempt.cost);
@@ -114,8 +118,8 @@ class VertexVisitor
             attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
             return attempt;
         }
-        attempt.placement = {neighbours.x[neighbour], neighbours.y[neighbour], neighbours.z[neighbour]};
         const bool fixed = state_.Has(survivor, kFixedVertex);
+        if (!fixed && StaysAtAnEnd(removed, survivor, attempt)) return attempt;
         if (fixed)
             attempt.placement = state_.Position(survivor);
         else
@@ -138,6 +142,29 @@ class VertexVisitor
         const Vector3<float> offset = VolumeAwareOffset(a, b, half, AreasOf(state_, workspace_.star));
         attempt.placement = offset + half + a.position;
         attempt.cost = EdgeCost(a, b, half, offset);
+    }
+
+    /// Where the surface around the edge is flat, or a straight crease, the end that costs less is the
+    /// placement, if the ring allows it. That keeps its coordinates to the last bit: a computed place lies in
+    /// no plane of the ring but for rounding, which tilts all faces around it, and again in every collapse
+    /// that follows.
+    bool StaysAtAnEnd(std::uint32_t removed, std::uint32_t survivor, Attempt& attempt)
+    {
+        const EdgeEnd<float> a = state_.vertices[removed].End();
+        const EdgeEnd<float> b = state_.vertices[survivor].End();
+        const float rounding = RoundingCost(a, b);
+        if (attempt.cost > rounding) return false;
+        const Vector3<float> half = HalfEdgeVector(a, b);
+        const float costA = EdgeCost(a, b, half, -1.0f * half), costB = EdgeCost(a, b, half, half);
+        const float cost = std::min(costA, costB);
+        if (cost > rounding) return false;
+        const Vector3<float> placement = costA < costB ? a.position : b.position;
+        const std::optional<float> penalty = EvaluateRing(state_, placement, workspace_.star);
+        if (!penalty || cost * *penalty > rounding) return false;
+        attempt.placement = placement;
+        attempt.cost = cost * *penalty;
+        attempt.atRemoved = costA < costB;
+        return true;
     }
 
     void TryOtherPlacements(std::uint32_t removed, std::uint32_t survivor, const SweepStep& step,

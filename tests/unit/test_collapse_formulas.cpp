@@ -208,6 +208,20 @@ class TestCollapseFormulas : public QObject
         }
     }
 
+    void anErrorOfRoundingCostsNoMoreThanItsBound()
+    {
+        const SymmetricMatrix3<float> plane = OuterProduct(Vector3<float>{0, 0, 3});
+        EdgeEnd<float> a{{0, 0, 0}, 1, plane, {plane, {}, 0}};
+        EdgeEnd<float> b = a;
+        b.position = {2, 0, 0};
+        const auto cost = [&](float height) {
+            const Vector3<float> half = HalfEdgeVector(a, b);
+            return EdgeCost(a, b, half, {0, 0, height});
+        };
+        QVERIFY(cost(0.99f * kNoDistance) < RoundingCost(a, b));
+        QVERIFY(cost(1.01f * kNoDistance) > RoundingCost(a, b));
+    }
+
     void aFaceMustNotLoseItsAreaUnlessItHadNone()
     {
         const MovedFace<float> flat = MoveFace(Vector3<float>{1, 0, 0}, Vector3<float>{2, 0, 0});
@@ -223,7 +237,7 @@ class TestCollapseFormulas : public QObject
         };
         QCOMPARE(penalty(0.8660254f), 1.0f);
         QCOMPARE(penalty(0.051f), 1.0f);
-        QVERIFY(Near(penalty(0.01f), 5, 1e-4)); // a fifth of kPoorQuality
+        QVERIFY(Near(penalty(0.01f), 3, 1e-4)); // a third of kPoorQuality
         QVERIFY(std::isfinite(penalty(0)));
     }
 

@@ -147,6 +147,7 @@ class TestStrictDecimation : public QObject
     void rootsLeadToSurvivors();
     void twoRunsGiveTheSameBytes();
     void weightMovesFacesToFeatures();
+    void theTipOfAFoldKnowsItsOutline();
     void measuredOrderLowersTheError();
     void measuredErrorIsTheDistanceOfTheSamples();
     void stopsWhenProgressSaysSo();
@@ -393,6 +394,21 @@ void TestStrictDecimation::weightMovesFacesToFeatures()
     QVERIFY(plain < .6);
     QVERIFY(guided > plain + .05);
     QVERIFY(strong > guided + .05);
+}
+
+void TestStrictDecimation::theTipOfAFoldKnowsItsOutline()
+{
+    // A tetrahedron pressed flat: around its square the faces turn by 180 degrees.
+    const IndexedMesh flat{
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, {}};
+    StrictMesh mesh;
+    std::vector<std::uint32_t> faceOrigin;
+    strict_detail::FillMesh(View(flat), mesh, faceOrigin);
+    const GuidedStars<StrictMesh> stars(mesh, Boundary::Preserve);
+    constexpr double kSide2 = .5; // in the frame, whose diagonal is 1
+    for (std::size_t v = 0; v < 4; ++v)
+        for (const double inPlane : {stars.vertex(v).accumulated.a.xx, stars.vertex(v).accumulated.a.yy})
+            QVERIFY(std::abs(inPlane / (.7 * 2 * kSide2) - 1) < 1e-12); // two faces, one edge
 }
 
 void TestStrictDecimation::measuredOrderLowersTheError()

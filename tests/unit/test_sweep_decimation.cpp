@@ -376,6 +376,34 @@ class TestSweepDecimation : public QObject
         QVERIFY(same > mesh.points.size() / 2);
     }
 
+    void flatPartsAndStraightCreasesKeepEveryBit()
+    {
+        const IndexedMesh box = test_meshes::Moved(test_meshes::Box(12), 1, 0.3, {0.1, 0.2, 0.3});
+        const DecimatedMesh result = DecimateSweeps(View(box), Parameters(1200)); // of 1728
+        std::size_t same = 0;
+        for (std::size_t v = 0; v < result.positions.size(); ++v)
+            same += result.positions[v] == box.points[result.vertexOrigin[v]];
+        // Few edges have no end at which all faces of the ring, which are in rows, keep an area.
+        QVERIFY(same > result.positions.size() * 95 / 100);
+    }
+
+    void theTipOfAFoldKnowsItsOutline()
+    {
+        // A tetrahedron pressed flat: around its square the faces turn by 180 degrees.
+        const IndexedMesh flat{
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, {}};
+        const MeshView view = View(flat);
+        sweeps::SweepState state;
+        sweeps::SweepLoader(view, state, 1).Load();
+        sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
+        const float side2 = 1024 * 1024 / 2; // in the frame
+        for (std::uint32_t v = 0; v < 4; ++v) {
+            const auto history = state.vertices[v].History().matrix;
+            for (const float inPlane : {history.xx, history.yy})
+                QVERIFY(std::abs(inPlane / (0.7F * 2 * side2) - 1) < 1e-5F); // two faces, one edge
+        }
+    }
+
     void featureWeightShiftsFacesToFeatures()
     {
         // Two equal grids, one with a bump of small creases: the weight spends more vertices on it.
