@@ -103,7 +103,7 @@ inline DecimatedMesh Decimate(const MeshView& view, const DecimationParameters& 
     DecimatedMesh mesh = strict ? DecimateStrictly(view, part) : DecimateSweeps(view, part);
     if (mesh.stopReason == StopReason::Cancelled) return mesh;
     const Progress progress = ProgressPart(parameters.progress, kUnfoldingPart, 100);
-    if (UnfoldFaces(view, mesh, ResolveThreads(parameters.threads), progress).cancelled)
+    if (UnfoldFaces(view, mesh, parameters.boundary, ResolveThreads(parameters.threads), progress).cancelled)
         mesh.stopReason = StopReason::Cancelled;
     return mesh;
 }

@@ -58,7 +58,7 @@ class SweepSchedule
             const std::size_t died = runner_.Sweep(step, target);
             if (died > 0)
                 step = NextStep(step, died, target);
-            else if (!NextIdleStep(step))
+            else if (!NextIdleStep(step, target))
                 return StopReason::NoLegalCollapse;
         }
         return StopReason::Target;
@@ -75,14 +75,19 @@ class SweepSchedule
     /// What to do after a sweep without a collapse: first look at everything again, as a collapse may have
     /// made another one cheaper or legal; then raise the threshold, to the lowest cost at least; at last try
     /// other placements. \return false if all that was tried
-    bool NextIdleStep(SweepStep& step)
+    bool NextIdleStep(SweepStep& step, std::size_t target)
     {
         if (step.everything) {
             const float lowest = LowestKey();
             const bool refused = lowest > kHighestThreshold;
             if (refused && step.lastResort) return false;
-            if (refused) step.lastResort = true;
-            step.threshold = std::min(std::max(lowest, step.threshold * kRatio), kHighestThreshold);
+            if (refused) {
+                step.lastResort = true;
+                step.threshold =
+                    FirstThreshold(target); // what becomes legal comes in the order of its cost too
+            } else {
+                step.threshold = std::min(std::max(lowest, step.threshold * kRatio), kHighestThreshold);
+            }
         }
         step.everything = true;
         ForgetKeys();

@@ -76,12 +76,12 @@ inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const Fa
 /// that a collapse turned over are such faces, and large ones that cut through a wall thinner than the error.
 ///
 /// Edges are flipped and vertices moved, those that have the most favourable effect on the distances between
-/// the surfaces; borders, fixed vertices and the number of faces stay. What little cannot be mended without
-/// doubling the local error stays folded. The bytes of the result do not depend on the number of threads.
-/// \param mesh a decimated \p original, changed in place; vertices that stay keep their bits
-/// \pre finite coordinates
-inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh, int threads,
-                                   const Progress& progress = {})
+/// the surfaces; fixed vertices, locked borders and the number of faces stay. What little cannot be mended
+/// without doubling the local error stays folded. The bytes of the result do not depend on the number of
+/// threads. \param mesh a decimated \p original, changed in place; vertices that stay keep their bits \pre
+/// finite coordinates
+inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh, Boundary boundary,
+                                   int threads, const Progress& progress = {})
 {
     // Cheap mendings first: they often mend a neighbour too.
     constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
@@ -105,7 +105,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
         for (const std::uint32_t f : folded) {
             report.cancelled = progress && !progress(percent, "Unfolding faces");
             if (report.cancelled) return report;
-            unfolder.Mend(f, kTolerances[pass]);
+            unfolder.Mend(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);
         }
         folded.insert(folded.end(), unfolder.Changed().begin(), unfolder.Changed().end());
         std::sort(folded.begin(), folded.end());

@@ -89,13 +89,14 @@ class Unfolder
 
     /// Mends \p face if that can be done.
     /// \param tolerance the energy of what changes may rise by this factor
-    void Mend(std::uint32_t face, float tolerance)
+    /// \param bordersMove vertices on borders may move too
+    void Mend(std::uint32_t face, float tolerance, bool bordersMove)
     {
         if (!IsFoldedNow(face)) return;
         FindRegion(face);
         std::optional<Change> best;
         TryFlips(face, tolerance, best);
-        TryMoves(face, tolerance, best);
+        TryMoves(face, tolerance, bordersMove, best);
         if (best) Carry(*best);
     }
 
@@ -269,11 +270,11 @@ class Unfolder
         }
     }
 
-    void TryMoves(std::uint32_t face, float tolerance, std::optional<Change>& best)
+    void TryMoves(std::uint32_t face, float tolerance, bool bordersMove, std::optional<Change>& best)
     {
         const SurfaceTriangle t = surface_.triangles[face];
         for (const std::uint32_t v : t.v) {
-            if (IsFixed(v) || !HasClosedStar(surface_, v, next_, previous_)) continue;
+            if (IsFixed(v) || (!bordersMove && !HasClosedStar(surface_, v, next_, previous_))) continue;
             star_ = {face}; // first, because it decides most often
             ForEachFaceAround(v, [&](std::uint32_t f) {
                 if (f != face) star_.push_back(f);

@@ -80,7 +80,7 @@ IndexedMesh PlaneWithFold()
 
 std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
 {
-    return vcg_ext::UnfoldFaces(View(original), mesh, 1).before;
+    return vcg_ext::UnfoldFaces(View(original), mesh, vcg_ext::Boundary::Lock, 1).before;
 }
 
 double Rms(const IndexedMesh& original, const DecimatedMesh& mesh)
@@ -149,7 +149,7 @@ class TestUnfold : public QObject
     {
         const IndexedMesh plane = Grid(8, 8);
         DecimatedMesh mesh = AsDecimated(PlaneWithFold());
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, 1);
+        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, std::size_t{0});
         QCOMPARE(Folded(plane, mesh), std::size_t{0});
@@ -173,11 +173,27 @@ class TestUnfold : public QObject
         auto view = View(plane);
         view.fixedVertices = fixed.data();
         DecimatedMesh mesh = folded;
-        const auto report = vcg_ext::UnfoldFaces(view, mesh, 1);
+        const auto report = vcg_ext::UnfoldFaces(view, mesh, vcg_ext::Boundary::Free, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, report.before);
         QVERIFY(mesh.positions == folded.positions);
         QVERIFY(mesh.triangles == folded.triangles);
+    }
+
+    /// A corner pushed over its face's far edge: there is nothing to flip and no inner vertex.
+    void borderMovesWhereItIsNotLocked()
+    {
+        IndexedMesh triangle;
+        triangle.points = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
+        triangle.AddTriangle(0, 1, 2);
+        IndexedMesh turned = triangle;
+        turned.points[0] = {2.4, 1.8, 0};
+        for (const auto boundary : {vcg_ext::Boundary::Lock, vcg_ext::Boundary::Preserve}) {
+            DecimatedMesh mesh = AsDecimated(turned);
+            const auto report = vcg_ext::UnfoldFaces(View(triangle), mesh, boundary, 1);
+            QCOMPARE(report.before, std::size_t{1});
+            QCOMPARE(report.after, std::size_t{boundary == vcg_ext::Boundary::Lock ? 1U : 0U});
+        }
     }
 
     void meshWithoutFoldsKeepsItsBytes()
@@ -185,7 +201,7 @@ class TestUnfold : public QObject
         const IndexedMesh sphere = Noisy(Icosphere(3), 0.002);
         const DecimatedMesh before = AsDecimated(sphere);
         DecimatedMesh mesh = before;
-        const auto report = vcg_ext::UnfoldFaces(View(sphere), mesh, 1);
+        const auto report = vcg_ext::UnfoldFaces(View(sphere), mesh, vcg_ext::Boundary::Free, 1);
         QCOMPARE(report.before, std::size_t{0});
         QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
     }
@@ -233,8 +249,8 @@ class TestUnfold : public QObject
         const DecimatedMesh before = AsDecimated(PlaneWithFold());
         DecimatedMesh mesh = before;
         int calls = 0;
-        const auto report =
-            vcg_ext::UnfoldFaces(View(plane), mesh, 1, [&](int, const char*) { return ++calls < 2; });
+        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Free, 1,
+                                                 [&](int, const char*) { return ++calls < 2; });
         QVERIFY(report.cancelled);
         QCOMPARE(calls, 2);
         QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
