@@ -11,6 +11,7 @@ namespace vcg_ext
 {
 
 /// The result of a collapse as a view of its own. \param fixed holds the flags that the view points to
+/// \pre \p mesh has faces, \p fixed is empty
 inline MeshView ViewOf(const DecimatedMesh& mesh, const MeshView& original, std::vector<std::uint8_t>& fixed)
 {
     MeshView view;

@@ -46,7 +46,7 @@ struct DecimationReport {
     StopReason stopReason = StopReason::Target;
     std::optional<DistanceReport> distances;
     EdgeCounts edges;
-    double seconds = 0; ///< wall time of collapse and refinement, without the measurement
+    double seconds = 0; ///< wall time of collapse, refinement and mending, without the measurement
 };
 
 struct Decimation {

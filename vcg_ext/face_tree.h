@@ -33,8 +33,11 @@ class FaceTree
 
     static constexpr std::size_t kGrain = 4096;
     static constexpr float kFar = face_tree::kFar;
-    /// Distances whose squares differ by less than this factor are those to an edge that two faces share.
+    /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, or
+    /// to two faces that coincide.
     static constexpr float kTie = 1.0002F;
+    /// Squared distances below it are rounding, and say nothing about sides: two millionths of the diagonal.
+    static constexpr float kOnSurface2 = 4e-6F;
     /// A face looks against a direction where their cosine is below this: above, it may be rounding.
     static constexpr float kAgainst = -1e-6F;
 
@@ -57,8 +60,8 @@ class FaceTree
         while (levels_.back().size() > 1) levels_.push_back(face_tree::LevelAbove(levels_.back(), threads));
     }
 
-    /// Does the face closest to \p point, or one of several that are equally close, look against
-    /// \p direction, a unit vector?
+    /// Does the face closest to \p point look against \p direction, a unit vector, and is none that does not
+    /// equally close?
     /// \param along2 squared distance to some face that does not, if one is known: that saves most of the
     /// time
     bool LooksAgainst(const Vector3& point, const Vector3& direction, float along2 = kFar) const
@@ -70,18 +73,18 @@ class FaceTree
             const auto someLookAgainst = [&](const FourNodes& nodes) {
                 return nodes.normals.LeastDots(direction) < Splat(kAgainst);
             };
-            Search(point, someLookAgainst, along2 * kTie, [&](const FourTriangles& leaf) {
+            Search(point, someLookAgainst, along2, [&](const FourTriangles& leaf) {
                 Closer(leaf, point, direction, sides);
-                return sides.along2 * kTie;
+                return sides.along2;
             });
-            if (sides.against2 > sides.along2 * kTie) return false;
+            if (!IsAgainst(sides)) return false;
         }
-        Search(point, AllNodes, std::min(sides.along2, sides.against2) * kTie,
-               [&](const FourTriangles& leaf) {
-                   Closer(leaf, point, direction, sides);
-                   return std::min(sides.along2, sides.against2) * kTie;
-               });
-        return sides.against2 <= sides.along2 * kTie;
+        const auto nearest2 = [&] { return std::min(kFar, std::min(sides.along2, sides.against2) * kTie); };
+        Search(point, AllNodes, nearest2(), [&](const FourTriangles& leaf) {
+            Closer(leaf, point, direction, sides);
+            return nearest2();
+        });
+        return IsAgainst(sides);
     }
 
     /// Squared distance to the nearest face that does not look against \p direction; the largest float where
@@ -89,7 +92,10 @@ class FaceTree
     float DistanceAlong2(const Vector3& point, const Vector3& direction) const
     {
         Sides sides;
-        Search(point, AllNodes, kFar, [&](const FourTriangles& leaf) {
+        const auto someLookAlong = [&](const FourNodes& nodes) {
+            return nodes.normals.GreatestDots(direction) >= Splat(kAgainst);
+        };
+        Search(point, someLookAlong, kFar, [&](const FourTriangles& leaf) {
             Closer(leaf, point, direction, sides);
             return sides.along2;
         });
@@ -177,6 +183,10 @@ class FaceTree
     struct Sides {
         float along2 = kFar, against2 = kFar;
     };
+    static bool IsAgainst(const Sides& sides)
+    {
+        return sides.along2 > kOnSurface2 && sides.against2 * kTie < sides.along2;
+    }
     static void Closer(const FourTriangles& leaf, const Vector3& point, const Vector3& direction,
                        Sides& sides)
     {

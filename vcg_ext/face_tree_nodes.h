@@ -91,6 +91,8 @@ struct FourBoxes {
         for (std::size_t k = 0; k < 3; ++k) least += Min(n[k] * low[k], n[k] * high[k]);
         return least;
     }
+    /// The greatest.
+    Float4 GreatestDots(const Vector3& direction) const { return -LeastDots(-1.0F * direction); }
 };
 
 struct FourNodes {

@@ -35,9 +35,10 @@ struct Star {
 };
 static_assert(sizeof(Star<Float4>) == 64);
 
-/// A whole number below 2^21 that stands for a vertex: one to one up to two million of them. Where the faces
-/// close up around a vertex, every next vertex of one is the previous of another: the sum of their marks'
-/// differences is 0, and exactly so, since floats add a dozen such numbers without rounding.
+/// A whole number below 2^21 that stands for a vertex. Where the faces close up around a vertex, every next
+/// vertex of one is the previous of another: the sum of their marks' differences is 0, and exactly so, since
+/// the partial sums of a few such numbers fit a float's 24 bits. Where they do not close up it is 0 only if
+/// the marks of the ends agree, by one chance in two million.
 inline float MarkOf(std::uint32_t mixed)
 {
     return static_cast<float>(static_cast<std::int32_t>(mixed >> 11));

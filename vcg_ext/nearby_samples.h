@@ -51,7 +51,7 @@ class NearbySamples
     {
         constexpr float kNothingNear = 1e30F;
         const std::size_t stride =
-            samples_.size() / (most + 1) | 1; // odd, so that it meets no pattern of four
+            (samples_.size() + most - 1) / most | 1; // odd, so that it meets no pattern of four
         groups_.clear();
         int lane = kLanes;
         for (std::size_t i = 0; i < samples_.size(); i += stride, ++lane) {

@@ -100,12 +100,14 @@ class CollapseGuard
         return false;
     }
 
-    /// A face of each end on the same other two vertices. \pre only wings are shared
+    /// A face of each end on the same other two vertices. \pre only wings and the corner of the hole are
+    /// shared
     bool HasDuplicateFace() const
     {
+        const auto shared = [&](std::uint32_t v) { return IsWing(v) || v == hole_; };
         for (std::uint32_t i = 0; i < star_.keptOfRemoved; ++i) {
             const std::uint32_t a = star_.next[i], b = star_.previous[i];
-            if (!IsWing(a) || !IsWing(b)) continue;
+            if (!shared(a) || !shared(b)) continue;
             for (std::uint32_t k = star_.keptOfRemoved; k < star_.kept; ++k)
                 if ((star_.next[k] == a && star_.previous[k] == b) ||
                     (star_.next[k] == b && star_.previous[k] == a))

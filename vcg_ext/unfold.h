@@ -70,6 +70,22 @@ inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const Fa
     return folded;
 }
 
+/// Do many edges have faces that look to different sides? Then it says nothing that a face looks against the
+/// closest one.
+inline bool HasMixedOrientation(const MeshView& view)
+{
+    constexpr std::size_t kMany = 100; // one in so many
+    std::vector<std::uint64_t> edges;
+    edges.reserve(3 * view.faceCount);
+    for (std::size_t f = 0; f < view.faceCount; ++f)
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.push_back(std::uint64_t{view.triangles[3 * f + k]} << 32 |
+                            view.triangles[3 * f + (k + 1) % 3]);
+    std::sort(edges.begin(), edges.end());
+    const auto last = std::unique(edges.begin(), edges.end());
+    return static_cast<std::size_t>(edges.end() - last) > edges.size() / kMany;
+}
+
 } // namespace unfold_detail
 
 /// Mends folded faces: those that look against the original where it is closest to their centroid. Slivers
@@ -77,14 +93,19 @@ inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const Fa
 ///
 /// Edges are flipped and vertices moved, those that have the most favourable effect on the distances between
 /// the surfaces; fixed vertices, locked borders and the number of faces stay. What little cannot be mended
-/// without doubling the local error stays folded. The bytes of the result do not depend on the number of
-/// threads. \param mesh a decimated \p original, changed in place; vertices that stay keep their bits \pre
-/// finite coordinates
+/// without doubling the local error stays folded. Vertices on borders that are not locked may move. Flips
+/// give faces other corners: what is stored per wedge does not follow. The bytes of the result do not depend
+/// on the number of threads. \param mesh a decimated \p original, changed in place; vertices that stay keep
+/// their bits \param threads 0: all \pre finite coordinates
 inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh, Boundary boundary,
                                    int threads, const Progress& progress = {})
 {
     // Cheap mendings first: they often mend a neighbour too.
     constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
+    // A bound on the time: a face takes milliseconds, and in a shell thinner than the error most are folded.
+    constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
+    constexpr std::size_t kSuspiciousShare = 8;
+    threads = ResolveThreads(threads);
     UnfoldingReport report;
     if (mesh.triangles.empty()) return report;
     std::vector<std::uint8_t> fixed;
@@ -94,15 +115,21 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
     std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
     if (folded.empty()) return report;
+    if (folded.size() > mesh.triangles.size() / kSuspiciousShare &&
+        unfold_detail::HasMixedOrientation(original))
+        return report;
 
     SurfaceArrays surface = BuildSurfaceArrays(simplified, frame, nullptr, threads);
     MakeRoomForCorners(surface, kFlipRoom);
     const FaceTree simplifiedTree(simplified, frame, threads);
     Unfolder unfolder(tree, simplifiedTree, surface);
     constexpr std::size_t kPasses = std::size(kTolerances);
+    std::size_t attempts = kAttempts + mesh.triangles.size() / kFacesPerAttempt;
     for (std::size_t pass = 0; pass < kPasses; ++pass) {
         const auto percent = static_cast<int>(100 * pass / kPasses);
         for (const std::uint32_t f : folded) {
+            if (attempts == 0) break;
+            --attempts;
             report.cancelled = progress && !progress(percent, "Unfolding faces");
             if (report.cancelled) return report;
             unfolder.Mend(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);

@@ -159,7 +159,9 @@ class Unfolder
         bounds.Grow(margin);
         TakeSamples(bounds);
         bounds.Grow(margin);
-        others_ = changed_;
+        others_.clear();
+        for (const std::uint32_t f : changed_)
+            if (bounds.Meets(BoundsOf(f))) others_.push_back(f);
         simplified_.ForEachNear(bounds.low, bounds.high,
                                 [&](std::uint32_t f, const auto&...) { others_.push_back(f); });
         SortUnique(others_);
@@ -228,11 +230,15 @@ class Unfolder
         Look look;
         float energy = 0;
     };
-    std::optional<Start> Begin() const
+    Start Begin() const
     {
-        const auto look = LookAtPlaced(std::numeric_limits<int>::max());
-        if (look) return Start{*look, Energy(kNoLimit)};
-        return Start{{static_cast<int>(placed_.size()), 0}, Energy(kNoLimit)};
+        Start start;
+        for (const PlacedTriangle& face : placed_) {
+            start.look.folded += IsFolded(original_, face);
+            start.look.quality = std::min(start.look.quality, face.shape.quality);
+        }
+        start.energy = Energy(kNoLimit);
+        return start;
     }
     /// Makes \p change, of which placed_ holds the new faces, the best one if it is.
     void Offer(Change change, const Start& start, float tolerance, std::optional<Change>& best) const
@@ -247,7 +253,7 @@ class Unfolder
         const float allowed = tolerance * start.energy;
         const float limit = tie ? std::min(allowed, start.energy + best->rise) : allowed;
         const float energy = Energy(limit);
-        if (energy > limit || (tie && energy - start.energy >= best->rise)) return;
+        if (!(energy <= limit) || (tie && energy - start.energy >= best->rise)) return;
         change.rise = energy - start.energy;
         best = change;
     }
@@ -266,7 +272,7 @@ class Unfolder
                        Placed(surface_, {{edge->b, edge->c, edge->d}})};
             Change change;
             change.flip = edge;
-            Offer(change, *start, tolerance, best);
+            Offer(change, start, tolerance, best);
         }
     }
 
@@ -290,7 +296,7 @@ class Unfolder
                 Change change;
                 change.vertex = v;
                 change.place = place;
-                Offer(change, *start, tolerance, best);
+                Offer(change, start, tolerance, best);
             }
             Put(v, here);
         }
@@ -315,13 +321,13 @@ class Unfolder
         places_.clear();
         const Vector3 normal = NormalOf(Placed(surface_, t).shape);
         const float reach2 = original_.DistanceAlong2(Centroid(surface_, face), normal);
-        const float reach = reach2 < kNoLimit ? std::sqrt(reach2) : 0;
         Vector3 star, middle;
         ForEachFaceAround(v, [&](std::uint32_t f) { star = star + AreaVector(surface_, f); });
         star = (1 / std::max(Norm(star), std::sqrt(kSmallestSquare))) * star;
-        for (const float s : {0.1F, 0.2F, 0.4F, 0.7F, 1.0F, 1.5F, 2.0F, 3.0F})
-            for (const Vector3& step : {normal, star, -1.0F * star})
-                places_.push_back(here + (s * reach) * step);
+        if (reach2 < kNoLimit)
+            for (const float s : {0.1F, 0.2F, 0.4F, 0.7F, 1.0F, 1.5F, 2.0F, 3.0F})
+                for (const Vector3& step : {normal, star, -1.0F * star})
+                    places_.push_back(here + (s * std::sqrt(reach2)) * step);
 
         int k = 0;
         while (t.v[k] != v) ++k;
@@ -343,15 +349,19 @@ class Unfolder
     {
         if (change.flip) {
             FlipEdge(surface_, *change.flip);
-            changed_.push_back(change.flip->First());
-            changed_.push_back(change.flip->Second());
+            MarkChanged(change.flip->First());
+            MarkChanged(change.flip->Second());
         } else {
             Put(change.vertex, change.place);
             std::uint8_t& flags = surface_.flags[change.vertex];
             flags = static_cast<std::uint8_t>(flags | kMovedVertex);
-            ForEachFaceAround(change.vertex, [&](std::uint32_t f) { changed_.push_back(f); });
+            ForEachFaceAround(change.vertex, [&](std::uint32_t f) { MarkChanged(f); });
         }
-        SortUnique(changed_);
+    }
+    void MarkChanged(std::uint32_t face)
+    {
+        const auto at = std::lower_bound(changed_.begin(), changed_.end(), face);
+        if (at == changed_.end() || *at != face) changed_.insert(at, face);
     }
 };
 

@@ -236,7 +236,7 @@ class TestCollapseFormulas : public QObject
                 MoveFace(Vector3<float>{1, 0, 0}, Vector3<float>{0.5f, height, 0}).quality2);
         };
         QCOMPARE(penalty(0.8660254f), 1.0f);
-        QCOMPARE(penalty(0.051f), 1.0f);
+        QCOMPARE(penalty(0.031f), 1.0f);
         QVERIFY(Near(penalty(0.01f), 3, 1e-4)); // a third of kPoorQuality
         QVERIFY(std::isfinite(penalty(0)));
     }

@@ -306,7 +306,20 @@ class TestSweepDecimation : public QObject
         };
         QVERIFY(borderEdges(100, false) > 0);
         QVERIFY(borderEdges(1, true) > 0);
-        QCOMPARE(DecimateSweeps(View(mesh), Parameters(4)).stopReason, StopReason::Target);
+        const DecimatedMesh closed = DecimateSweeps(View(mesh), Parameters(4));
+        QCOMPARE(closed.stopReason, StopReason::Target);
+        VerifySound(mesh, closed);
+    }
+
+    /// Closing the base of a tall pyramid would leave two faces on the same corners.
+    void closesNoHoleOntoTheOtherSide()
+    {
+        IndexedMesh mesh;
+        mesh.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.87, 0}, {0.5, 0.29, 10}};
+        mesh.AddTriangle(0, 1, 3);
+        mesh.AddTriangle(1, 2, 3);
+        mesh.AddTriangle(2, 0, 3);
+        VerifySound(mesh, DecimateSweeps(View(mesh), Parameters(2)));
     }
 
     void preservesAStraightBorder()
