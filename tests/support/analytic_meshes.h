@@ -53,7 +53,7 @@ inline vcg_ext::MeshView View(const IndexedMesh& mesh)
     view.positionStride = sizeof(Point);
     view.doublePositions = true;
     view.vertexCount = mesh.points.size();
-    view.triangles = mesh.triangles.empty() ? nullptr : mesh.triangles.front().data();
+    view.triangles = reinterpret_cast<const std::uint32_t*>(mesh.triangles.data());
     view.faceCount = mesh.triangles.size();
     return view;
 }

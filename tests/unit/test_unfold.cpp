@@ -86,10 +86,8 @@ std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
 /// By the measurement of the report, which knows nothing of the tree. \pre the original has faces
 vcg_ext::DistanceReport Distances(const IndexedMesh& original, const DecimatedMesh& mesh)
 {
-    vcg_ext::MeshView view = View(original);
-    view.triangles = original.triangles.front().data();
     const std::vector<double> descriptor(original.points.size(), 0.0);
-    return vcg_ext::MeasureDistances(view, mesh, descriptor, 20000, 1);
+    return vcg_ext::MeasureDistances(View(original), mesh, descriptor, 20000, 1);
 }
 std::size_t MeasuredFolds(const IndexedMesh& original, const DecimatedMesh& mesh)
 {
