@@ -33,8 +33,8 @@ class FaceTree
 
     static constexpr std::size_t kGrain = 4096;
     static constexpr float kFar = face_tree::kFar;
-    /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, or
-    /// to two faces that coincide.
+    /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, and
+    /// then either of them may be meant; or to faces that coincide, and then none is against.
     static constexpr float kTie = 1.0002F;
     /// Squared distances below it are rounding, and say nothing about sides: two millionths of the diagonal.
     static constexpr float kOnSurface2 = 4e-6F;
@@ -60,10 +60,9 @@ class FaceTree
         while (levels_.back().size() > 1) levels_.push_back(face_tree::LevelAbove(levels_.back(), threads));
     }
 
-    /// Does the face closest to \p point look against \p direction, a unit vector, and is none that does not
-    /// equally close?
-    /// \param along2 squared distance to some face that does not, if one is known: that saves most of the
-    /// time
+    /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
+    /// unit vector? \param along2 squared distance to some face that does not, if one is known: that saves
+    /// most of the time
     bool LooksAgainst(const Vector3& point, const Vector3& direction, float along2 = kFar) const
     {
         // Most often all faces around look along it. That is seen without finding the closest one: none that
@@ -73,9 +72,10 @@ class FaceTree
             const auto someLookAgainst = [&](const FourNodes& nodes) {
                 return nodes.normals.LeastDots(direction) < Splat(kAgainst);
             };
-            Search(point, someLookAgainst, along2, [&](const FourTriangles& leaf) {
+            const auto near2 = [&] { return std::min(kFar, sides.along2 * kTie); };
+            Search(point, someLookAgainst, near2(), [&](const FourTriangles& leaf) {
                 Closer(leaf, point, direction, sides);
-                return sides.along2;
+                return near2();
             });
             if (!IsAgainst(sides)) return false;
         }
@@ -185,17 +185,20 @@ class FaceTree
     };
     static bool IsAgainst(const Sides& sides)
     {
-        return sides.along2 > kOnSurface2 && sides.against2 * kTie < sides.along2;
+        return sides.along2 > kOnSurface2 && sides.against2 <= sides.along2 * kTie;
     }
     static void Closer(const FourTriangles& leaf, const Vector3& point, const Vector3& direction,
                        Sides& sides)
     {
         const PreparedTriangle<Float4> t = leaf.Prepared();
-        const Float4 distance2 = ClosestOnTriangle(leaf.Seen(point), t).distance2;
+        const FourClosestPoints closest = ClosestOnTriangle(leaf.Seen(point), t);
+        const Float4 distance2 = closest.distance2;
         const Float4 cosine = direction.x * t.nx + direction.y * t.ny + direction.z * t.nz;
         const Int4 against = cosine < Splat(kAgainst);
         sides.along2 = std::min(sides.along2, MinLane(Select(against, Splat(kFar), distance2)));
-        sides.against2 = std::min(sides.against2, MinLane(Select(against, distance2, Splat(kFar))));
+        // inside a face there is no edge to share: it has to be closer
+        const Float4 shared = Select(closest.inside, distance2 * (kTie * kTie), distance2);
+        sides.against2 = std::min(sides.against2, MinLane(Select(against, shared, Splat(kFar))));
     }
 
     static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
