@@ -35,7 +35,7 @@ class FaceTree
     static constexpr float kFar = face_tree::kFar;
     /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, and
     /// then either of them may be meant; or to faces that coincide, and then none is against.
-    static constexpr float kTie = 1.0002F;
+    static constexpr float kTie = 1.00002F;
     /// Squared distances below it are rounding, and say nothing about sides: two millionths of the diagonal.
     static constexpr float kOnSurface2 = 4e-6F;
     /// A face looks against a direction where their cosine is below this: above, it may be rounding.
