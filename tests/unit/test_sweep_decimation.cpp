@@ -409,7 +409,7 @@ class TestSweepDecimation : public QObject
         sweeps::SweepState state;
         sweeps::SweepLoader(view, state, 1).Load();
         sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
-        const float side2 = 1024 * 1024 / 2; // in the frame
+        const float side2 = 1024.0F * 1024.0F / 2; // in the frame
         for (std::uint32_t v = 0; v < 4; ++v) {
             const auto history = state.vertices[v].History().matrix;
             for (const float inPlane : {history.xx, history.yy})
