@@ -44,6 +44,13 @@ class Buffer
     std::unique_ptr<T, Free> data_;
     std::size_t size_ = 0;
 
+    void Allocate(std::size_t size, std::size_t bytes, std::align_val_t alignment)
+    {
+        Release();
+        data_ = std::unique_ptr<T, Free>(static_cast<T*>(::operator new(bytes, alignment)), Free{alignment});
+        size_ = size;
+    }
+
   public:
     Buffer() = default;
     explicit Buffer(std::size_t size) { Allocate(size); }
@@ -55,20 +62,17 @@ class Buffer
         return *this;
     }
 
-    /// Drops the content and takes room for \p size values. Where they fill a large page they lie on such
-    /// pages, if the system has them: the first touch of a small one costs as much as the work on all that is
-    /// in it. \throws std::bad_alloc
-    void Allocate(std::size_t size)
+    /// Drops the content and takes room for \p size values. \throws std::bad_alloc
+    void Allocate(std::size_t size) { Allocate(size, (size + kReadablePadding) * sizeof(T), kAlignment); }
+
+    /// The same for many values that are visited in no order of theirs: on pages of 2 MiB, where the system
+    /// has them. The first touch of a small page costs as much as the work on all that is in it.
+    void AllocateOnLargePages(std::size_t size)
     {
-        Release();
-        const std::size_t bytes = (size + kReadablePadding) * sizeof(T);
-        const std::size_t wholePages = (bytes + kLargePage - 1) / kLargePage * kLargePage;
-        const bool isLarge = bytes > kLargePage;
-        const std::align_val_t alignment = isLarge ? std::align_val_t{kLargePage} : kAlignment;
-        data_ = std::unique_ptr<T, Free>(
-            static_cast<T*>(::operator new(isLarge ? wholePages : bytes, alignment)), Free{alignment});
-        if (isLarge) AdviseLargePages(data(), wholePages);
-        size_ = size;
+        const std::size_t pages = (size + kReadablePadding) * sizeof(T) / kLargePage + 1;
+        if (pages == 1) return Allocate(size);
+        Allocate(size, pages * kLargePage, std::align_val_t{kLargePage});
+        AdviseLargePages(data(), pages * kLargePage);
     }
     /// Forgets all but the first \p size values; the memory stays. \pre size <= size()
     void Shrink(std::size_t size) { size_ = size; }

@@ -236,7 +236,7 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads)
     std::vector<double> values(mesh.vertexCount);
     std::vector<std::uint8_t> irregular(mesh.vertexCount, 0);
     Buffer<Star<Position>> stars;
-    stars.Allocate(mesh.vertexCount);
+    stars.AllocateOnLargePages(mesh.vertexCount);
     // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and whatever
     // their number, the faces of a vertex are added in the same order.
     const auto ranges = static_cast<std::size_t>(threads);

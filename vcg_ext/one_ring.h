@@ -145,7 +145,7 @@ inline OneRings::OneRings(const MeshView& mesh, const std::vector<std::uint8_t>&
         if ((wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) != 0 && !NamesAVertexTwice(v)) faces.push_back(f);
     }
     Buffer<std::uint32_t> ringOf;
-    ringOf.Allocate(mesh.vertexCount);
+    ringOf.AllocateOnLargePages(mesh.vertexCount);
     for (std::uint32_t v = 0; v < mesh.vertexCount; ++v) {
         if (!wanted[v]) continue;
         ringOf[v] = static_cast<std::uint32_t>(vertices_.size());
