@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "decimation_types.h"
+#include "surface_arrays.h"
+#include "surface_builder.h"
 
 namespace vcg_ext
 {
@@ -26,6 +29,16 @@ inline MeshView ViewOf(const DecimatedMesh& mesh, const MeshView& original, std:
         view.fixedVertices = fixed.data();
     }
     return view;
+}
+
+/// Takes what became of the result into it: its faces, and the positions of vertices that moved; the others
+/// keep their bits. \pre \p surface was built from ViewOf(mesh) in \p frame
+inline void WriteBack(const SurfaceArrays& surface, const SurfaceFrame& frame, DecimatedMesh& mesh)
+{
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        if (surface.flags[v] & kMovedVertex) mesh.positions[v] = frame.FromFrame(surface.points[v]);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) mesh.triangles[f][k] = surface.triangles[f].v[k];
 }
 
 } // namespace vcg_ext

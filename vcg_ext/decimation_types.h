@@ -28,9 +28,13 @@ struct MeshView {
     const std::uint8_t* fauxEdges = nullptr; ///< one byte a face, bit k: the edge from its vertex k to k + 1
                                              ///< is a polygon's diagonal; may be null
 
+    const unsigned char* PositionAddress(std::size_t vertex) const
+    {
+        return static_cast<const unsigned char*>(positions) + vertex * positionStride;
+    }
     std::array<double, 3> Position(std::size_t vertex) const
     {
-        const auto* bytes = static_cast<const unsigned char*>(positions) + vertex * positionStride;
+        const auto* bytes = PositionAddress(vertex);
         std::array<double, 3> p{};
         if (doublePositions) {
             std::memcpy(p.data(), bytes, sizeof p);
@@ -95,6 +99,8 @@ struct DecimatedMesh {
     std::vector<std::uint32_t> vertexOrigin;             ///< the input vertex that each vertex was
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of positions
     std::vector<std::uint32_t> faceOrigin;               ///< the input face that each face was
+    std::vector<std::uint32_t> inputOrder; ///< all input faces, those near each other in space near each other
+                                           ///< here; empty where the collapse had no use for an order
     StopReason stopReason = StopReason::Target;
 };
 

@@ -22,9 +22,10 @@ namespace vcg_ext
 
 /// The faces of a mesh in a tree of boxes, for questions about the closest of them and where it looks.
 ///
-/// Faces are put in Morton order of their first corners; four neighbours there are a leaf, four leaves a
-/// node, and so on: nothing is searched while the tree is built. A node knows the box of its points and the
-/// box of its unit normals. Queries may run on several threads.
+/// Faces are put in an order in which neighbours in space follow each other; eight of them are a leaf, four
+/// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points and the
+/// box of its unit normals. Most leaves are never looked into, so they hold nothing of their own: their
+/// corners are gathered when one is. Queries may run on several threads.
 class FaceTree
 {
     using FourTriangles = face_tree::FourTriangles;
@@ -41,23 +42,40 @@ class FaceTree
     /// A face looks against a direction where their cosine is below this: above, it may be rounding.
     static constexpr float kAgainst = -1e-6F;
 
-    Buffer<FourTriangles> leaves_;
-    Buffer<std::uint32_t> faces_; ///< those of the leaves
+    static constexpr std::size_t kFacesPerLeaf = 8;
+
+    const std::uint32_t* triangles_;
+    Buffer<SurfacePoint> points_;
+    Buffer<std::uint32_t> faces_; ///< of leaf 0, leaf 1, ...
     std::vector<Buffer<FourNodes>>
         levels_; ///< levels_[k][i] holds the nodes 4 i .. 4 i + 3 of the level below
 
   public:
-    /// \param frame in which all queries are \pre at least one face; finite coordinates
-    FaceTree(const MeshView& view, const SurfaceFrame& frame, int threads)
+    /// \param frame in which all queries are \param order the faces in a good order, if one is known
+    /// \pre at least one face; finite coordinates; the view's triangles outlive this object and do not change
+    FaceTree(const MeshView& view, const SurfaceFrame& frame, int threads,
+             const std::vector<std::uint32_t>& order = {})
+        : triangles_(view.triangles), points_(view.vertexCount),
+          faces_(order.empty() ? view.faceCount : order.size())
     {
-        Buffer<SurfacePoint> points(view.vertexCount);
         ParallelRanges(threads, view.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t v = begin; v < end; ++v) points[v] = frame.ToFrame(view.Position(v), 0);
+            for (std::size_t v = begin; v < end; ++v) points_[v] = frame.ToFrame(view.Position(v), 0);
         });
-        SortFaces(view, points, threads);
-        MakeLeaves(view, points, threads);
-        levels_.push_back(face_tree::LevelAbove(leaves_, threads));
-        while (levels_.back().size() > 1) levels_.push_back(face_tree::LevelAbove(levels_.back(), threads));
+        if (order.empty())
+            SortFaces(threads);
+        else
+            std::copy(order.begin(), order.end(), faces_.begin());
+        levels_.push_back(face_tree::LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
+            face_tree::LeafBoxes boxes;
+            ForEachFour(leaf, [&](const FourTriangles& faces) { boxes.Add(faces); });
+            return boxes.Boxes();
+        }));
+        while (levels_.back().size() > 1) {
+            const Buffer<FourNodes>& below = levels_.back();
+            auto above = face_tree::LevelAbove(
+                below.size(), threads, [&](std::size_t node) { return face_tree::BoxesOf(below[node]); });
+            levels_.push_back(std::move(above));
+        }
     }
 
     /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
@@ -73,15 +91,15 @@ class FaceTree
                 return nodes.normals.LeastDots(direction) < Splat(kAgainst);
             };
             const auto near2 = [&] { return std::min(kFar, sides.along2 * kTie); };
-            Search(point, someLookAgainst, near2(), [&](const FourTriangles& leaf) {
-                Closer(leaf, point, direction, sides);
+            Search(point, someLookAgainst, near2(), [&](const FourTriangles& faces) {
+                Closer(faces, point, direction, sides);
                 return near2();
             });
             if (!IsAgainst(sides)) return false;
         }
         const auto nearest2 = [&] { return std::min(kFar, std::min(sides.along2, sides.against2) * kTie); };
-        Search(point, AllNodes, nearest2(), [&](const FourTriangles& leaf) {
-            Closer(leaf, point, direction, sides);
+        Search(point, AllNodes, nearest2(), [&](const FourTriangles& faces) {
+            Closer(faces, point, direction, sides);
             return nearest2();
         });
         return IsAgainst(sides);
@@ -95,8 +113,8 @@ class FaceTree
         const auto someLookAlong = [&](const FourNodes& nodes) {
             return nodes.normals.GreatestDots(direction) >= Splat(kAgainst);
         };
-        Search(point, someLookAlong, kFar, [&](const FourTriangles& leaf) {
-            Closer(leaf, point, direction, sides);
+        Search(point, someLookAlong, kFar, [&](const FourTriangles& faces) {
+            Closer(faces, point, direction, sides);
             return sides.along2;
         });
         return sides.along2;
@@ -107,8 +125,8 @@ class FaceTree
     {
         float best2 = kFar;
         Vector3 closest;
-        Search(point, AllNodes, kFar, [&](const FourTriangles& leaf) {
-            const FourClosestPoints hits = ClosestOnTriangle(leaf.Seen(point), leaf.Prepared());
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+            const FourClosestPoints hits = ClosestOnTriangle(faces.Seen(point), faces.Prepared());
             for (int lane = 0; lane < kLanes; ++lane) {
                 if (!(hits.distance2[lane] < best2)) continue;
                 best2 = hits.distance2[lane];
@@ -124,8 +142,8 @@ class FaceTree
     float Distance2(const Vector3& point) const
     {
         float best2 = kFar;
-        Search(point, AllNodes, kFar, [&](const FourTriangles& leaf) {
-            best2 = std::min(best2, MinLane(ClosestOnTriangle(leaf.Seen(point), leaf.Prepared()).distance2));
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+            best2 = std::min(best2, MinLane(ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2));
             return best2;
         });
         return best2;
@@ -141,42 +159,50 @@ class FaceTree
     }
 
   private:
-    void SortFaces(const MeshView& view, const Buffer<SurfacePoint>& points, int threads)
+    std::size_t LeafCount() const { return (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; }
+
+    /// In Morton order of their first corners.
+    void SortFaces(int threads)
     {
         constexpr double kHalf = kFrameDiagonal / 2;
-        using Grid = sweeps::MortonGrid<10>;
+        constexpr int kBitsPerAxis = 7; // two passes of sorting; what shares a cell stays in the mesh's order
+        using Grid = sweeps::MortonGrid<kBitsPerAxis>;
         const Grid grid({-kHalf, -kHalf, -kHalf}, {kHalf, kHalf, kHalf});
-        Buffer<sweeps::OrderedVertex> order(view.faceCount);
-        ParallelRanges(threads, view.faceCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
+        Buffer<sweeps::OrderedVertex> order(faces_.size());
+        ParallelRanges(threads, faces_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t f = begin; f < end; ++f) {
-                const SurfacePoint& p = points[view.triangles[3 * f]];
+                const SurfacePoint& p = points_[triangles_[3 * f]];
                 order[f] = {
                     grid.Code({static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}),
                     static_cast<std::uint32_t>(f)};
             }
         });
         sweeps::SortByCode<Grid::kCodeBits>(order, threads);
-        faces_.Allocate(view.faceCount);
         for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i] = order[i].origin;
     }
-    void MakeLeaves(const MeshView& view, const Buffer<SurfacePoint>& points, int threads)
+
+    Float4 Corner(std::size_t face, std::size_t k) const
     {
-        const std::size_t last = faces_.size() - 1;
-        leaves_.Allocate(last / kLanes + 1);
-        ParallelRanges(threads, leaves_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t i = begin; i < end; ++i)
-                for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                    const std::size_t face = faces_[std::min(kLanes * i + lane, last)];
-                    const auto corner = [&](std::size_t k) {
-                        const SurfacePoint& p = points[view.triangles[3 * face + k]];
-                        return Vector3{p.x, p.y, p.z};
-                    };
-                    const Vector3 a = corner(0);
-                    leaves_[i].a.Put(lane, a);
-                    leaves_[i].b.Put(lane, corner(1) - a);
-                    leaves_[i].c.Put(lane, corner(2) - a);
-                }
-        });
+        return LoadUnaligned(&points_[triangles_[3 * face + k]].x);
+    }
+    /// The faces of a leaf, the last one repeated to fill four.
+    template <class Visit>
+    void ForEachFour(std::size_t leaf, const Visit& visit) const
+    {
+        const std::size_t end = std::min(faces_.size(), (leaf + 1) * kFacesPerLeaf);
+        for (std::size_t first = leaf * kFacesPerLeaf; first < end; first += kLanes) {
+            Float4 a[kLanes], b[kLanes], c[kLanes];
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const std::size_t face = faces_[std::min(first + lane, end - 1)];
+                a[lane] = Corner(face, 0);
+                b[lane] = Corner(face, 1) - a[lane];
+                c[lane] = Corner(face, 2) - a[lane];
+            }
+            Transpose(a[0], a[1], a[2], a[3]);
+            Transpose(b[0], b[1], b[2], b[3]);
+            Transpose(c[0], c[1], c[2], c[3]);
+            visit(FourTriangles{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}});
+        }
     }
 
     /// Squared distances to the nearest faces found that look along a direction and against it.
@@ -187,11 +213,11 @@ class FaceTree
     {
         return sides.along2 > kOnSurface2 && sides.against2 <= sides.along2 * kTie;
     }
-    static void Closer(const FourTriangles& leaf, const Vector3& point, const Vector3& direction,
+    static void Closer(const FourTriangles& faces, const Vector3& point, const Vector3& direction,
                        Sides& sides)
     {
-        const PreparedTriangle<Float4> t = leaf.Prepared();
-        const FourClosestPoints closest = ClosestOnTriangle(leaf.Seen(point), t);
+        const PreparedTriangle<Float4> t = faces.Prepared();
+        const FourClosestPoints closest = ClosestOnTriangle(faces.Seen(point), t);
         const Float4 distance2 = closest.distance2;
         const Float4 cosine = direction.x * t.nx + direction.y * t.ny + direction.z * t.nz;
         const Int4 against = cosine < Splat(kAgainst);
@@ -203,8 +229,8 @@ class FaceTree
 
     static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
 
-    /// Calls visit(leaf), near ones first, for every leaf whose box is not farther than \p limit2, which the
-    /// last call returned, as long as wanted(nodes) has its ancestors.
+    /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p limit2,
+    /// which the last call returned, as long as wanted(nodes) has its ancestors.
     template <class Wanted, class Visit>
     void Search(const Vector3& point, const Wanted& wanted, float limit2, const Visit& visit) const
     {
@@ -220,7 +246,7 @@ class FaceTree
             const Entry entry = stack[--size];
             if (!(entry.distance2 <= limit2)) continue;
             if (entry.level == 0) {
-                limit2 = visit(leaves_[entry.node]);
+                ForEachFour(entry.node, [&](const FourTriangles& faces) { limit2 = visit(faces); });
                 continue;
             }
             const FourNodes& nodes = levels_[entry.level - 1][entry.node];
@@ -242,15 +268,18 @@ class FaceTree
     template <class Visit>
     void ForEachNear(std::size_t level, std::size_t node, const Box& box, const Visit& visit) const
     {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const std::size_t child = kLanes * node + lane;
-            if (level > 0) {
+        if (level > 0) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane)
                 if (Overlap(box, levels_[level - 1][node].points.At(lane)))
-                    ForEachNear(level - 1, child, box, visit);
-            } else if (child < faces_.size()) {
-                const FourTriangles& leaf = leaves_[node];
-                visit(faces_[child], leaf.a.At(lane), leaf.b.At(lane), leaf.c.At(lane));
-            }
+                    ForEachNear(level - 1, kLanes * node + lane, box, visit);
+            return;
+        }
+        const std::size_t end = std::min(faces_.size(), (node + 1) * kFacesPerLeaf);
+        for (std::size_t place = node * kFacesPerLeaf; place < end; ++place) {
+            const std::uint32_t face = faces_[place];
+            const Float4 a = Corner(face, 0), b = Corner(face, 1) - a, c = Corner(face, 2) - a;
+            const auto vector = [](Float4 p) { return Vector3{p[0], p[1], p[2]}; };
+            visit(face, vector(a), vector(b), vector(c));
         }
     }
 };

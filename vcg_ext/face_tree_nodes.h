@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #include "buffer.h"
 #include "parallel.h"
@@ -46,12 +45,12 @@ struct alignas(16) FourVectors {
     Float4 operator[](std::size_t k) const { return Load(row[k]); }
 };
 
-/// A leaf.
+/// Some faces of a leaf.
 struct FourTriangles {
-    FourVectors a, b, c; ///< the first corner, and the others seen from it
+    FourPoints a, b, c; ///< the first corner, and the others seen from it
 
-    FourPoints Seen(const Vector3& p) const { return {p.x - a[0], p.y - a[1], p.z - a[2]}; }
-    PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b[0], b[1], b[2], c[0], c[1], c[2]); }
+    FourPoints Seen(const Vector3& p) const { return {p.x - a.x, p.y - a.y, p.z - a.z}; }
+    PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z); }
 };
 
 struct FourBoxes {
@@ -100,40 +99,64 @@ struct FourNodes {
 };
 
 /// The boxes of the points and of the unit normals of all that is in a node.
-inline std::pair<Box, Box> BoxesOf(const FourTriangles& leaf)
-{
-    const PreparedTriangle<Float4> t = leaf.Prepared();
-    const Float4 normal[3] = {t.nx, t.ny, t.nz};
-    Box points{}, normals{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Float4 a = leaf.a[k], b = a + leaf.b[k], c = a + leaf.c[k];
-        points.low[k] = MinLane(Min(a, Min(b, c)));
-        points.high[k] = MaxLane(Max(a, Max(b, c)));
-        normals.low[k] = MinLane(normal[k]);
-        normals.high[k] = MaxLane(normal[k]);
-    }
-    return {points, normals};
-}
-inline std::pair<Box, Box> BoxesOf(const FourNodes& nodes)
+struct NodeBoxes {
+    Box points{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, normals = points;
+};
+inline NodeBoxes BoxesOf(const FourNodes& nodes)
 {
     return {nodes.points.Around(), nodes.normals.Around()};
 }
 
-/// The level above: four consecutive nodes are the children of one.
-template <class Nodes>
-Buffer<FourNodes> LevelAbove(const Nodes& nodes, int threads)
+/// NodeBoxes of faces that come four at a time.
+class LeafBoxes
 {
-    constexpr std::size_t kGrain = 4096;
-    constexpr Box kEmpty{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-    Buffer<FourNodes> level((nodes.size() + kLanes - 1) / kLanes);
+    struct Bounds {
+        Float4 low[3]{Splat(kFar), Splat(kFar), Splat(kFar)};
+        Float4 high[3]{Splat(-kFar), Splat(-kFar), Splat(-kFar)};
+        void Add(std::size_t k, Float4 least, Float4 greatest)
+        {
+            low[k] = Min(low[k], least);
+            high[k] = Max(high[k], greatest);
+        }
+        Box AllLanes() const
+        {
+            return {{MinLane(low[0]), MinLane(low[1]), MinLane(low[2])},
+                    {MaxLane(high[0]), MaxLane(high[1]), MaxLane(high[2])}};
+        }
+    };
+    Bounds points_, normals_;
+
+  public:
+    void Add(const FourTriangles& faces)
+    {
+        const PreparedTriangle<Float4> t = faces.Prepared();
+        const Float4 normal[3] = {t.nx, t.ny, t.nz};
+        const Float4 first[3] = {faces.a.x, faces.a.y, faces.a.z};
+        const Float4 second[3] = {faces.b.x, faces.b.y, faces.b.z};
+        const Float4 third[3] = {faces.c.x, faces.c.y, faces.c.z};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Float4 a = first[k], b = a + second[k], c = a + third[k];
+            points_.Add(k, Min(a, Min(b, c)), Max(a, Max(b, c)));
+            normals_.Add(k, normal[k], normal[k]);
+        }
+    }
+    NodeBoxes Boxes() const { return {points_.AllLanes(), normals_.AllLanes()}; }
+};
+
+/// The level above \p children of them: four that follow each other are the children of one node.
+/// \param boxesOf NodeBoxes of a child
+template <class BoxesOfChild>
+Buffer<FourNodes> LevelAbove(std::size_t children, int threads, const BoxesOfChild& boxesOf)
+{
+    constexpr std::size_t kGrain = 1024;
+    Buffer<FourNodes> level((children + kLanes - 1) / kLanes);
     ParallelRanges(threads, level.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
                 const std::size_t child = kLanes * i + lane;
-                const auto [points, normals] =
-                    child < nodes.size() ? BoxesOf(nodes[child]) : std::pair{kEmpty, kEmpty};
-                level[i].points.Put(lane, points);
-                level[i].normals.Put(lane, normals);
+                const NodeBoxes boxes = child < children ? boxesOf(child) : NodeBoxes{};
+                level[i].points.Put(lane, boxes.points);
+                level[i].normals.Put(lane, boxes.normals);
             }
     });
     return level;

@@ -57,10 +57,7 @@ inline bool RefineDecimated(const MeshView& original, DecimatedMesh& mesh,
     refinement.threads = threads;
     refinement.progress = parameters.progress;
     if (Refine(before, after, roots, refinement).cancelled) return false;
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        if (after.flags[v] & kMovedVertex) mesh.positions[v] = frame.FromFrame(after.points[v]);
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k) mesh.triangles[f][k] = after.triangles[f].v[k];
+    WriteBack(after, frame, mesh);
     return true;
 }
 

@@ -4,8 +4,9 @@
 
 // Four floats at once, on the compiler's portable vector types. Arithmetic and comparisons are the built-in
 // operators (a comparison gives an Int4 of 0 or -1 per lane). This is the only header with intrinsics; where
-// the processor has no SSE2 plain loops do the same. AVX2 is left out on purpose: its other order of
-// summation would make the bytes of a result depend on the processor.
+// the processor has no SSE2 plain loops do the same. Eight at once, where the processor has AVX2, are for
+// kernels whose lanes never meet: a sum over lanes would have another order, and the bytes of a result would
+// depend on the processor.
 
 #include <algorithm>
 #include <cmath>
@@ -107,10 +108,6 @@ inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
     c = r2;
     d = r3;
 }
-inline void Prefetch(const void* p)
-{
-    _mm_prefetch(static_cast<const char*>(p), _MM_HINT_T0);
-}
 #else
 inline Float4 Narrow(Double2 xy, Double2 zw)
 {
@@ -161,11 +158,83 @@ inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
     c = Float4{r0[2], r1[2], r2[2], r3[2]};
     d = Float4{r0[3], r1[3], r2[3], r3[3]};
 }
+#endif
+
+/// Of Float4 or Float8.
+template <class Real>
+constexpr std::size_t kLanesOf = sizeof(Real) / sizeof(float);
+
+/// \p x in every lane. \tparam Real Float4 or Float8
+template <class Real>
+Real Broadcast(float x);
+template <>
+inline Float4 Broadcast<Float4>(float x)
+{
+    return Splat(x);
+}
+/// Four floats of each row, transposed: as many rows as \p a has lanes. \pre 16-byte aligned
+inline void LoadRows(const float* const* rows, int place, Float4& a, Float4& b, Float4& c, Float4& d)
+{
+    a = Load(rows[0] + place);
+    b = Load(rows[1] + place);
+    c = Load(rows[2] + place);
+    d = Load(rows[3] + place);
+    Transpose(a, b, c, d);
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define VCG_EXT_HAS_FLOAT8
+/// For the functions that work on Float8, and for them alone: they may be called where HasAvx2().
+#define VCG_EXT_FOR_AVX2 [[gnu::target("avx2"), gnu::flatten]]
+#pragma GCC diagnostic ignored "-Wpsabi" // no call passes a Float8, as all of them are inlined
+
+typedef float Float8 __attribute__((vector_size(32)));
+typedef std::int32_t Int8 __attribute__((vector_size(32)));
+
+inline bool HasAvx2()
+{
+    return __builtin_cpu_supports("avx2") != 0;
+}
+template <>
+[[gnu::always_inline]] inline Float8 Broadcast<Float8>(float x)
+{
+    return Float8{x, x, x, x, x, x, x, x};
+}
+/// As Max of Float4: \p b where they do not compare.
+[[gnu::always_inline]] inline Float8 Max(const Float8& a, const Float8& b)
+{
+    return a > b ? a : b;
+}
+[[gnu::always_inline]] inline void LoadRows(const float* const* rows, int place, Float8& a, Float8& b,
+                                            Float8& c, Float8& d)
+{
+    const auto join = [&](int i) __attribute__((always_inline)) {
+        return __builtin_shufflevector(Load(rows[i] + place), Load(rows[i + 4] + place), 0, 1, 2, 3, 4, 5, 6,
+                                       7);
+    };
+    const Float8 r0 = join(0), r1 = join(1), r2 = join(2), r3 = join(3);
+    const Int8 low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
+    const Int8 first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+    const Float8 low01 = __builtin_shuffle(r0, r1, low), high01 = __builtin_shuffle(r0, r1, high);
+    const Float8 low23 = __builtin_shuffle(r2, r3, low), high23 = __builtin_shuffle(r2, r3, high);
+    a = __builtin_shuffle(low01, low23, first);
+    b = __builtin_shuffle(low01, low23, second);
+    c = __builtin_shuffle(high01, high23, first);
+    d = __builtin_shuffle(high01, high23, second);
+}
+#else
+inline bool HasAvx2()
+{
+    return false;
+}
+#endif
+
+/// Starts to bring the line of \p p into the cache.
 inline void Prefetch(const void* p)
 {
     __builtin_prefetch(p);
+    asm volatile(""); // or GCC sees no effect in a function that only prefetches, and drops its calls
 }
-#endif
 
 inline bool AnyLane(Int4 mask)
 {

@@ -40,6 +40,7 @@ class SweepDecimation
     SurfaceArrays original_;
     SurfaceArrays simplified_;
     Buffer<std::uint32_t> root_, vertexOrigin_, faceOrigin_;
+    std::vector<std::uint32_t> inputOrder_;
     StopReason stopReason_ = StopReason::Target;
 
   public:
@@ -98,11 +99,12 @@ class SweepDecimation
     const Buffer<std::uint32_t>& Root() const { return root_; }
 
     /// The mesh in input order. Vertices that never moved have the input's coordinates to the last bit.
-    /// \pre Extract
-    DecimatedMesh Result() const
+    /// \pre Extract; may be called once
+    DecimatedMesh Result()
     {
         DecimatedMesh mesh;
         mesh.stopReason = stopReason_;
+        mesh.inputOrder = std::move(inputOrder_);
         const Buffer<std::uint32_t> place = WriteVertices(mesh);
         WriteFaces(mesh, place);
         return mesh;
@@ -169,8 +171,10 @@ class SweepDecimation
     {
         simplified_.triangles.Allocate(state_.aliveFaces);
         faceOrigin_.Allocate(state_.aliveFaces);
+        inputOrder_.reserve(state_.faces.size());
         std::size_t to = 0;
         for (const sweeps::FaceRecord& face : state_.faces) {
+            inputOrder_.push_back(face.origin & ~sweeps::FaceRecord::kDead);
             if (!face.Alive()) continue;
             simplified_.triangles[to] = {{place[face.v[0]], place[face.v[1]], place[face.v[2]]}};
             faceOrigin_[to++] = face.origin;

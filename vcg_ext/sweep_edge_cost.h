@@ -3,6 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "sweep_scratch.h"
 #include "sweep_state.h"
@@ -35,38 +38,36 @@ inline bool CollectNeighbours(const SweepState& state, std::uint32_t v, const Ve
     return true;
 }
 
-inline EdgeEnd<Float4> SplatEnd(const EdgeEnd<float>& end)
+/// One vertex in every lane. \tparam Real Float4 or Float8
+template <class Real>
+[[gnu::always_inline]] inline EdgeEnd<Real> BroadcastEnd(const EdgeEnd<float>& end)
 {
-    const auto vector = [](const Vector3<float>& a) {
-        return Vector3<Float4>{Splat(a.x), Splat(a.y), Splat(a.z)};
-    };
-    const auto matrix = [](const SymmetricMatrix3<float>& m) {
-        return SymmetricMatrix3<Float4>{Splat(m.xx), Splat(m.xy), Splat(m.xz),
-                                        Splat(m.yy), Splat(m.yz), Splat(m.zz)};
-    };
-    return {vector(end.position),
-            Splat(end.weight),
-            matrix(end.star),
-            {matrix(end.history.matrix), vector(end.history.linear), Splat(end.history.constant)}};
+    const SymmetricMatrix3<float>&star = end.star, &history = end.history.matrix;
+    const auto lanes = [](float x) __attribute__((always_inline)) { return Broadcast<Real>(x); };
+    return {{lanes(end.position.x), lanes(end.position.y), lanes(end.position.z)},
+            lanes(end.weight),
+            {lanes(star.xx), lanes(star.xy), lanes(star.xz), lanes(star.yy), lanes(star.yz), lanes(star.zz)},
+            {{lanes(history.xx), lanes(history.xy), lanes(history.xz), lanes(history.yy), lanes(history.yz),
+              lanes(history.zz)},
+             {lanes(end.history.linear.x), lanes(end.history.linear.y), lanes(end.history.linear.z)},
+             lanes(end.history.constant)}};
 }
 
-/// Four vertices side by side.
-inline EdgeEnd<Float4> LoadEnds(const SweepState& state, const std::uint32_t* v)
+/// Vertices side by side, as many as \p Real has lanes.
+template <class Real>
+[[gnu::always_inline]] inline EdgeEnd<Real> LoadEnds(const SweepState& state, const std::uint32_t* v)
 {
-    const float* rows[kLanes];
-    for (int lane = 0; lane < kLanes; ++lane) rows[lane] = state.vertices[v[lane]].value;
-    EdgeEnd<Float4> ends;
-    const auto load = [&](int slot, Float4& a, Float4& b, Float4& c, Float4& d) {
-        LoadTransposed(rows[0] + slot, rows[1] + slot, rows[2] + slot, rows[3] + slot, a, b, c, d);
-    };
-    SymmetricMatrix3<Float4>& star = ends.star;
-    SymmetricMatrix3<Float4>& matrix = ends.history.matrix;
-    Vector3<Float4>& linear = ends.history.linear;
-    load(0, ends.position.x, ends.position.y, ends.position.z, ends.weight);
-    load(4, star.xx, star.xy, star.xz, star.yy);
-    load(8, star.yz, star.zz, matrix.xx, matrix.xy);
-    load(12, matrix.xz, matrix.yy, matrix.yz, matrix.zz);
-    load(16, linear.x, linear.y, linear.z, ends.history.constant);
+    const float* rows[kLanesOf<Real>];
+    for (std::size_t lane = 0; lane < kLanesOf<Real>; ++lane) rows[lane] = state.vertices[v[lane]].value;
+    EdgeEnd<Real> ends;
+    SymmetricMatrix3<Real>& star = ends.star;
+    SymmetricMatrix3<Real>& matrix = ends.history.matrix;
+    Vector3<Real>& linear = ends.history.linear;
+    LoadRows(rows, 0, ends.position.x, ends.position.y, ends.position.z, ends.weight);
+    LoadRows(rows, 4, star.xx, star.xy, star.xz, star.yy);
+    LoadRows(rows, 8, star.yz, star.zz, matrix.xx, matrix.xy);
+    LoadRows(rows, 12, matrix.xz, matrix.yy, matrix.yz, matrix.zz);
+    LoadRows(rows, 16, linear.x, linear.y, linear.z, ends.history.constant);
     return ends;
 }
 
@@ -83,23 +84,55 @@ inline Vector3<Float4> OffsetToFixedEnd(const SweepState& state, std::uint32_t v
             Select(fixed, towards * half.z, free.z)};
 }
 
-/// Costs of the edges from \p v to all collected neighbours, four at a time.
-inline void EvaluateEdges(const SweepState& state, std::uint32_t v, NeighbourScratch& neighbours)
+/// Costs of the edges from \p v to all collected neighbours, several at a time. No lane knows of another.
+/// \param placementOf offset of the placement from the midpoint: (first of the neighbours, half edges, free)
+template <class Real, class Placement>
+[[gnu::always_inline]] inline void EvaluateEdgesBy(const SweepState& state, std::uint32_t v,
+                                                   NeighbourScratch& neighbours, const Placement& placementOf)
 {
     std::uint32_t* w = neighbours.vertex.data();
     const std::uint32_t size = neighbours.size;
-    for (int i = 0; i < kLanes; ++i) w[size + static_cast<std::uint32_t>(i)] = w[size - 1];
-    const EdgeEnd<Float4> a = SplatEnd(state.vertices[v].End());
-    for (std::uint32_t i = 0; i < size; i += kLanes) {
-        const EdgeEnd<Float4> b = LoadEnds(state, w + i);
-        const Vector3<Float4> half = HalfEdgeVector(a, b);
-        Vector3<Float4> offset = OptimalOffset(a, b, half);
-        if (state.anyFixed) offset = OffsetToFixedEnd(state, v, w + i, half, offset);
-        Store(&neighbours.cost[i], EdgeCost(a, b, half, offset));
+    for (std::size_t i = 0; i < kLanesOf<Real>; ++i) w[size + i] = w[size - 1];
+    const EdgeEnd<Real> a = BroadcastEnd<Real>(state.vertices[v].End());
+    for (std::uint32_t i = 0; i < size; i += kLanesOf<Real>) {
+        const EdgeEnd<Real> b = LoadEnds<Real>(state, w + i);
+        const Vector3<Real> half = HalfEdgeVector(a, b);
+        const Vector3<Real> offset = placementOf(w + i, half, OptimalOffset(a, b, half));
+        const Real cost = EdgeCost(a, b, half, offset);
+        std::memcpy(&neighbours.cost[i], &cost, sizeof cost);
     }
-    if (!state.anyFixed || !state.Has(v, kFixedVertex)) return;
-    for (std::uint32_t i = 0; i < size; ++i)
-        if (state.Has(w[i], kFixedVertex)) neighbours.cost[i] = kNoKey;
+}
+
+#ifdef VCG_EXT_HAS_FLOAT8
+VCG_EXT_FOR_AVX2 inline void EvaluateFreeEdgesByEight(const SweepState& state, std::uint32_t v,
+                                                      NeighbourScratch& neighbours)
+{
+    EvaluateEdgesBy<Float8>(state, v, neighbours,
+                            [](auto*, const auto&, const auto& free)
+                                __attribute__((always_inline)) { return free; });
+}
+#else
+inline void EvaluateFreeEdgesByEight(const SweepState&, std::uint32_t, NeighbourScratch&) {}
+#endif
+
+/// Costs of the edges from \p v to all collected neighbours.
+inline void EvaluateEdges(const SweepState& state, std::uint32_t v, NeighbourScratch& neighbours)
+{
+    if (!state.anyFixed) {
+        if (state.eightAtOnce && neighbours.size > kLanes)
+            EvaluateFreeEdgesByEight(state, v, neighbours);
+        else
+            EvaluateEdgesBy<Float4>(state, v, neighbours,
+                                    [](auto*, const auto&, const auto& free) { return free; });
+        return;
+    }
+    EvaluateEdgesBy<Float4>(state, v, neighbours,
+                            [&](const std::uint32_t* w, const auto& half, const auto& free) {
+                                return OffsetToFixedEnd(state, v, w, half, free);
+                            });
+    if (!state.Has(v, kFixedVertex)) return;
+    for (std::uint32_t i = 0; i < neighbours.size; ++i)
+        if (state.Has(neighbours.vertex[i], kFixedVertex)) neighbours.cost[i] = kNoKey;
 }
 
 } // namespace vcg_ext::sweeps

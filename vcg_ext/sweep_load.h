@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,7 @@ class SweepLoader
         std::uint32_t origin;
         std::uint32_t Smallest() const { return std::min(v[0], std::min(v[1], v[2])); }
     };
+    static_assert(sizeof(SortedFace) == 4 * sizeof(Corner));
 
     static constexpr std::size_t kGrain = 1 << 14;
     static constexpr int kFaceBucketBits = 11;
@@ -152,8 +154,10 @@ class SweepLoader
         state_.flags.Allocate(count);
         indexOf_.Allocate(view_.vertexCount);
         const double scale = 1 / state_.unit;
+        constexpr std::size_t kAhead = 16; // vertices: about what memory takes to answer
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) {
+                if (v + kAhead < count) Prefetch(view_.PositionAddress(sorted[v + kAhead].origin));
                 const std::uint32_t origin = sorted[v].origin;
                 const std::array<double, 3> p = view_.Position(origin);
                 for (std::size_t k = 0; k < 3; ++k)
@@ -190,27 +194,37 @@ class SweepLoader
     /// Faces in the order of their smallest vertex: first into buckets of 2048 vertices, then within each.
     void MakeFaces()
     {
-        std::vector<std::uint32_t> bucketBegin;
-        const Buffer<SortedFace> sorted = BucketedFaces(bucketBegin);
-        const std::size_t count = sorted.size();
+        const std::vector<std::uint32_t> bucketBegin = SortIntoBuckets();
+        const std::size_t count = bucketBegin.back();
         state_.faces.Allocate(count);
         state_.aliveFaces = count;
         ParallelFor(threads_, bucketBegin.size() - 1, [&](std::size_t bucket, int) {
             std::array<std::uint32_t, (1 << kFaceBucketBits) + 1> next{};
             constexpr std::uint32_t kMask = (1u << kFaceBucketBits) - 1;
             const std::uint32_t begin = bucketBegin[bucket], end = bucketBegin[bucket + 1];
-            for (std::uint32_t i = begin; i < end; ++i) ++next[(sorted[i].Smallest() & kMask) + 1];
+            for (std::uint32_t i = begin; i < end; ++i) ++next[(Bucketed(i).Smallest() & kMask) + 1];
             for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-            for (std::uint32_t i = begin; i < end; ++i)
-                MakeFace(begin + next[sorted[i].Smallest() & kMask]++, sorted[i]);
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const SortedFace face = Bucketed(i);
+                MakeFace(begin + next[face.Smallest() & kMask]++, face);
+            }
         });
     }
 
-    Buffer<SortedFace> BucketedFaces(std::vector<std::uint32_t>& bucketBegin)
+    /// Four numbers each, in memory that the corners have no use for before the second sweep.
+    SortedFace Bucketed(std::size_t place) const
+    {
+        SortedFace face{};
+        std::memcpy(&face, &state_.spareCorners[4 * place], sizeof face);
+        return face;
+    }
+
+    /// \return the first place of every bucket, and the number of faces behind them
+    std::vector<std::uint32_t> SortIntoBuckets()
     {
         // Dropped faces go to a bucket of their own behind the others.
         const std::size_t buckets = (state_.VertexCount() >> kFaceBucketBits) + 1;
-        Buffer<SortedFace> bucketed(view_.faceCount);
+        state_.spareCorners.Allocate(CornerArena::PoolSize(3 * view_.faceCount, threads_));
         const auto mapped = [&](std::size_t face) {
             const std::uint32_t* t = Triangle(face);
             return SortedFace{{indexOf_[t[0]], indexOf_[t[1]], indexOf_[t[2]]},
@@ -220,14 +234,15 @@ class SweepLoader
             return Kept(face) ? mapped(face).Smallest() >> kFaceBucketBits
                               : static_cast<std::uint32_t>(buckets);
         };
-        bucketBegin = StableScatter(threads_, view_.faceCount, buckets + 1, bucketOf,
-                                    [&](std::size_t face, std::uint32_t place) {
-                                        if (Kept(face)) bucketed[place] = mapped(face);
-                                    });
+        std::vector<std::uint32_t> bucketBegin = StableScatter(
+            threads_, view_.faceCount, buckets + 1, bucketOf, [&](std::size_t face, std::uint32_t place) {
+                if (!Kept(face)) return;
+                const SortedFace sorted = mapped(face);
+                std::memcpy(&state_.spareCorners[4 * std::size_t{place}], &sorted, sizeof sorted);
+            });
         bucketBegin.pop_back();
-        bucketed.Shrink(bucketBegin.back());
         indexOf_.Release();
-        return bucketed;
+        return bucketBegin;
     }
 
     void MakeFace(std::size_t place, const SortedFace& from)

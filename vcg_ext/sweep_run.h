@@ -114,8 +114,10 @@ class SweepRunner
             VertexVisitor visitor = MakeVisitor(thread);
             std::vector<std::uint32_t>& later = putOff_[block];
             later.clear();
+            const auto isDue = [&](std::uint32_t v) { return state_.key[v] <= step.threshold; };
             for (std::uint32_t v = range.begin; v < range.end; ++v) {
-                if (!(state_.key[v] <= step.threshold)) continue;
+                ReadAhead(state_).At(v, range.end, isDue);
+                if (!isDue(v)) continue;
                 if (visitor.Died() + 2 > quotas[block]) break;
                 if (visitor.Visit(v, range, step) == VisitResult::PutOff) later.push_back(v);
             }
@@ -155,7 +157,11 @@ class SweepRunner
             VertexVisitor visitor = MakeVisitor(thread);
             std::vector<std::uint32_t>& list = putOffShifted_[block];
             std::size_t kept = 0;
-            for (const std::uint32_t v : list) {
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                ReadAhead(state_).At(
+                    i, list.size(), [&](std::size_t k) { return list[k]; },
+                    [&](std::uint32_t v) { return IsCandidate(v, step); });
+                const std::uint32_t v = list[i];
                 if (!IsCandidate(v, step)) continue;
                 if (visitor.Died() + 2 > quotas[block] ||
                     visitor.Visit(v, range, step) == VisitResult::PutOff)
@@ -174,11 +180,16 @@ class SweepRunner
         const VertexRange all{0, state_.VertexCount()};
         const std::size_t before = state_.aliveFaces;
         VertexVisitor visitor = MakeVisitor(0);
+        const auto isCandidate = [&](std::uint32_t v) { return IsCandidate(v, step); };
         const auto visit = [&](std::uint32_t v) {
-            if (before - visitor.Died() > target && IsCandidate(v, step)) visitor.Visit(v, all, step);
+            if (before - visitor.Died() > target && isCandidate(v)) visitor.Visit(v, all, step);
         };
         for (const auto& list : putOffShifted_)
-            for (const std::uint32_t v : list) visit(v);
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                ReadAhead(state_).At(
+                    i, list.size(), [&](std::size_t k) { return list[k]; }, isCandidate);
+                visit(list[i]);
+            }
         const std::size_t few = std::max<std::size_t>(8, target / 200);
         if (step.everything || before - visitor.Died() <= target + few)
             for (std::uint32_t v = 0; v < all.end && before - visitor.Died() > target; ++v) visit(v);

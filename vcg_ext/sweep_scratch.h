@@ -16,14 +16,15 @@ namespace vcg_ext::sweeps
 /// The neighbours of the vertex that is looked at, and what merging with each of them would cost. Grows to
 /// any valence; arrays are padded so that whole vectors may be written.
 struct NeighbourScratch {
+    static constexpr std::size_t kPadding = 8;
     Buffer<std::uint32_t> vertex;
     Buffer<float> cost;
     std::uint32_t size = 0;
 
     void Reserve(std::size_t wanted)
     {
-        if (wanted + kLanes <= vertex.size()) return;
-        const std::size_t room = std::max<std::size_t>(64, 2 * wanted + kLanes);
+        if (wanted + kPadding <= vertex.size()) return;
+        const std::size_t room = std::max<std::size_t>(64, 2 * wanted + kPadding);
         vertex.Allocate(room);
         cost.Allocate(room);
     }

@@ -53,8 +53,10 @@ class SweepStarter
         state_.key.Allocate(count);
         std::vector<Star> stars(static_cast<std::size_t>(threads_));
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int thread) {
-            for (std::size_t v = begin; v < end; ++v)
-                StartVertex(static_cast<std::uint32_t>(v), stars[static_cast<std::size_t>(thread)]);
+            for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
+                ReadAhead(state_).At(v, static_cast<std::uint32_t>(end), [](std::uint32_t) { return true; });
+                StartVertex(v, stars[static_cast<std::size_t>(thread)]);
+            }
         });
         if (view_.fauxEdges != nullptr && view_.guidance == nullptr) TakePolygonDescriptor();
         state_.descriptorScale = view_.guidance != nullptr ? 1.0f : DescriptorScale();

@@ -111,7 +111,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
     std::vector<std::uint8_t> fixed;
     const MeshView simplified = ViewOf(mesh, original, fixed);
     const SurfaceFrame frame = FrameOf(simplified);
-    const FaceTree tree(original, frame, threads);
+    const FaceTree tree(original, frame, threads, mesh.inputOrder);
     std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
     if (folded.empty()) return report;
@@ -142,10 +142,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
                      folded.end());
     }
     report.after = folded.size();
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        if (surface.flags[v] & kMovedVertex) mesh.positions[v] = frame.FromFrame(surface.points[v]);
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k) mesh.triangles[f][k] = surface.triangles[f].v[k];
+    WriteBack(surface, frame, mesh);
     return report;
 }
 

@@ -237,6 +237,26 @@ class TestDecimation : public QObject
         QVERIFY(faux < 2 * 288);
     }
 
+    /// The edge between two quads is flipped: its faces have no diagonal of theirs any more, and what is left
+    /// of the quads are triangles.
+    void flippedFacesAreNoLongerPartsOfPolygons()
+    {
+        const test_meshes::IndexedMesh quads = test_meshes::Grid(3, 1, 1, true);
+        FloatMesh mesh;
+        test_meshes::Fill(mesh, quads);
+        vcg_ext::DecimatedMesh result;
+        for (std::uint32_t v = 0; v < 8; ++v) result.vertexOrigin.push_back(v);
+        for (std::uint32_t f = 0; f < 6; ++f) result.faceOrigin.push_back(f);
+        result.positions = quads.points;
+        result.triangles = quads.triangles;
+        result.triangles[0] = {0, 1, 6}; // was 0 1 5, of the first quad
+        result.triangles[3] = {0, 6, 5}; // was 1 6 5, of the second
+        ApplyDecimation(mesh, result);
+        for (std::size_t f = 0; f < 6; ++f)
+            for (int k = 0; k < 3; ++k)
+                QCOMPARE(mesh.face[f].IsF(k), f >= 4 && (quads.fauxEdges[f] >> k & 1) != 0);
+    }
+
     void refusesWhatItCannotDecimate()
     {
         FloatMesh empty, cloud, bad;

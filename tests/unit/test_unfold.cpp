@@ -179,6 +179,40 @@ class TestUnfold : public QObject
         }
     }
 
+    /// The smallest fold: a corner just over the far edge of one face, all others sound.
+    void singleFoldIsMended()
+    {
+        const IndexedMesh plane = Grid(8, 8);
+        IndexedMesh folded = plane;
+        folded.points[4 + 4 * 9] = {5.1, 4.5, 0};
+        DecimatedMesh mesh = AsDecimated(folded);
+        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
+        QCOMPARE(report.before, std::size_t{1});
+        QCOMPARE(report.after, std::size_t{0});
+        QCOMPARE(MeasuredFolds(plane, mesh), std::size_t{0});
+    }
+
+    /// Of a mesh whose left half is fixed, the fold on the seam is mended by what is free.
+    void onlyTheFreeHalfChanges()
+    {
+        const IndexedMesh plane = Grid(8, 8);
+        const DecimatedMesh folded = AsDecimated(PlaneWithFold());
+        std::vector<std::uint8_t> fixed;
+        for (const Point& p : plane.points) fixed.push_back(p[0] < 3.5);
+        auto view = View(plane);
+        view.fixedVertices = fixed.data();
+        DecimatedMesh mesh = folded;
+        const auto report = vcg_ext::UnfoldFaces(view, mesh, vcg_ext::Boundary::Lock, 1);
+        QVERIFY(report.before > 0);
+        QCOMPARE(report.after, std::size_t{0});
+        for (std::size_t v = 0; v < fixed.size(); ++v)
+            if (fixed[v]) QVERIFY(mesh.positions[v] == folded.positions[v]);
+        for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+            const auto& t = folded.triangles[f];
+            if (fixed[t[0]] && fixed[t[1]] && fixed[t[2]]) QVERIFY(mesh.triangles[f] == t);
+        }
+    }
+
     void fixedVerticesAndTheirEdgesStay()
     {
         const IndexedMesh plane = Grid(8, 8);
@@ -265,8 +299,9 @@ class TestUnfold : public QObject
             const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
             QVERIFY(10 * MeasuredFolds(shell, mesh) <= before);
             QCOMPARE(mesh.triangles.size(), collapsed.triangles.size());
-            // mendings that would raise the local error by more than a tenth are few: the whole stays near
-            QVERIFY(Rms(shell, mesh) < 1.1 * Rms(shell, collapsed));
+            // a quarter of the faces is mended, most of them for less than a tenth of the local error
+            const double rise = Rms(shell, mesh) / Rms(shell, collapsed);
+            QVERIFY2(rise < 1.15, qPrintable(QString::number(rise)));
         }
     }
 
