@@ -99,8 +99,8 @@ struct DecimatedMesh {
     std::vector<std::uint32_t> vertexOrigin;             ///< the input vertex that each vertex was
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of positions
     std::vector<std::uint32_t> faceOrigin;               ///< the input face that each face was
-    std::vector<std::uint32_t> inputOrder; ///< all input faces, those near each other in space near each other
-                                           ///< here; empty where the collapse had no use for an order
+    std::vector<std::uint32_t> inputOrder; ///< all input faces, those near each other in space near each
+                                           ///< other here; empty where the collapse had no use for an order
     StopReason stopReason = StopReason::Target;
 };
 

@@ -23,9 +23,9 @@ namespace vcg_ext
 /// The faces of a mesh in a tree of boxes, for questions about the closest of them and where it looks.
 ///
 /// Faces are put in an order in which neighbours in space follow each other; eight of them are a leaf, four
-/// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points and the
-/// box of its unit normals. Most leaves are never looked into, so they hold nothing of their own: their
-/// corners are gathered when one is. Queries may run on several threads.
+/// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points
+/// and the box of its unit normals. Most leaves are never looked into, so they hold nothing of their own:
+/// their corners are gathered when one is. Queries may run on several threads.
 class FaceTree
 {
     using FourTriangles = face_tree::FourTriangles;
@@ -143,7 +143,8 @@ class FaceTree
     {
         float best2 = kFar;
         Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
-            best2 = std::min(best2, MinLane(ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2));
+            best2 =
+                std::min(best2, MinLane(ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2));
             return best2;
         });
         return best2;
@@ -229,8 +230,8 @@ class FaceTree
 
     static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
 
-    /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p limit2,
-    /// which the last call returned, as long as wanted(nodes) has its ancestors.
+    /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p
+    /// limit2, which the last call returned, as long as wanted(nodes) has its ancestors.
     template <class Wanted, class Visit>
     void Search(const Vector3& point, const Wanted& wanted, float limit2, const Visit& visit) const
     {

@@ -208,7 +208,8 @@ template <>
 [[gnu::always_inline]] inline void LoadRows(const float* const* rows, int place, Float8& a, Float8& b,
                                             Float8& c, Float8& d)
 {
-    const auto join = [&](int i) __attribute__((always_inline)) {
+    const auto join = [&](int i) __attribute__((always_inline))
+    {
         return __builtin_shufflevector(Load(rows[i] + place), Load(rows[i + 4] + place), 0, 1, 2, 3, 4, 5, 6,
                                        7);
     };

@@ -43,7 +43,10 @@ template <class Real>
 [[gnu::always_inline]] inline EdgeEnd<Real> BroadcastEnd(const EdgeEnd<float>& end)
 {
     const SymmetricMatrix3<float>&star = end.star, &history = end.history.matrix;
-    const auto lanes = [](float x) __attribute__((always_inline)) { return Broadcast<Real>(x); };
+    const auto lanes = [](float x) __attribute__((always_inline))
+    {
+        return Broadcast<Real>(x);
+    };
     return {{lanes(end.position.x), lanes(end.position.y), lanes(end.position.z)},
             lanes(end.weight),
             {lanes(star.xx), lanes(star.xy), lanes(star.xz), lanes(star.yy), lanes(star.yz), lanes(star.zz)},
@@ -107,9 +110,9 @@ template <class Real, class Placement>
 VCG_EXT_FOR_AVX2 inline void EvaluateFreeEdgesByEight(const SweepState& state, std::uint32_t v,
                                                       NeighbourScratch& neighbours)
 {
-    EvaluateEdgesBy<Float8>(state, v, neighbours,
-                            [](auto*, const auto&, const auto& free)
-                                __attribute__((always_inline)) { return free; });
+    EvaluateEdgesBy<Float8>(
+        state, v, neighbours,
+        [](auto*, const auto&, const auto& free) __attribute__((always_inline)) { return free; });
 }
 #else
 inline void EvaluateFreeEdgesByEight(const SweepState&, std::uint32_t, NeighbourScratch&) {}

@@ -163,8 +163,9 @@ class ReadAhead
     template <class Wanted>
     void At(std::uint32_t v, std::uint32_t end, const Wanted& wanted) const
     {
-        At(std::size_t{v}, std::size_t{end}, [](std::size_t i) { return static_cast<std::uint32_t>(i); },
-           wanted);
+        At(
+            std::size_t{v}, std::size_t{end}, [](std::size_t i) { return static_cast<std::uint32_t>(i); },
+            wanted);
     }
 };
 

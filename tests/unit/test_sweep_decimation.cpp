@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <set>
@@ -398,6 +399,32 @@ class TestSweepDecimation : public QObject
             same += result.positions[v] == box.points[result.vertexOrigin[v]];
         // Few edges have no end at which all faces of the ring, which are in rows, keep an area.
         QVERIFY(same > result.positions.size() * 95 / 100);
+    }
+
+    /// Processors with and without AVX2 come to the same costs.
+    void eightEdgesAtOnceCostTheSameBits()
+    {
+        for (const IndexedMesh& mesh :
+             {test_meshes::Noisy(test_meshes::Icosphere(3), 0.05), test_meshes::Pyramid(41),
+              test_meshes::Noisy(test_meshes::Grid(9, 9), 0.1)}) {
+            const MeshView view = View(mesh);
+            sweeps::SweepState state;
+            sweeps::SweepLoader(view, state, 1).Load();
+            sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
+            sweeps::NeighbourScratch neighbours;
+            for (std::uint32_t v = 0; v < state.VertexCount(); ++v) {
+                QVERIFY(sweeps::CollectNeighbours(state, v, {0, state.VertexCount()}, neighbours));
+                std::vector<float> costs[2];
+                for (const bool eight : {false, true}) {
+                    state.eightAtOnce = eight && HasAvx2();
+                    sweeps::EvaluateEdges(state, v, neighbours);
+                    const float* cost = neighbours.cost.data();
+                    costs[eight].assign(cost, cost + neighbours.size);
+                }
+                QVERIFY(std::all_of(costs[0].begin(), costs[0].end(), [](float c) { return c >= 0; }));
+                QCOMPARE(std::memcmp(costs[0].data(), costs[1].data(), sizeof(float) * costs[0].size()), 0);
+            }
+        }
     }
 
     void theTipOfAFoldKnowsItsOutline()
