@@ -15,6 +15,15 @@ PATH=$PATH:/usr/sbin:/sbin
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CCACHE_BASEDIR=$top # two checkouts share what they compile
 
+# Asked for help, a script prints the comment at its top; two hand the question on to what they run.
+case ${0##*/}:${1-} in
+simplify:* | python:*) ;;
+*:-h | *:--help)
+    sed -n '/^# Usage/,/^[^#]/ s/^# \{0,1\}//p' "$0"
+    exit
+    ;;
+esac
+
 say() { printf '%s\n' "$*" >&2; }
 
 die() {
