@@ -182,7 +182,7 @@ inline void LoadRows(const float* const* rows, int place, Float4& a, Float4& b, 
     Transpose(a, b, c, d);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__)
 #define VCG_EXT_HAS_FLOAT8
 /// For the functions that work on Float8, and for them alone: they may be called where HasAvx2().
 #define VCG_EXT_FOR_AVX2 [[gnu::target("avx2"), gnu::flatten]]
