@@ -167,7 +167,7 @@ const std::vector<Parameter>& Parameters()
          "Who runs the collapses: the fast engine, or the reference on VCG's framework; effort best always "
          "takes the latter.", orders},
         {"threads", {kGuided}, Type::Integer, {0}, {0, 1024}, "", "Threads",
-         "Threads to use, 0 for all. The result does not depend on it.", {}},
+         "Threads to use, 0 for all, or as many as OMP_NUM_THREADS says. The result does not depend on it.", {}},
     };
     // clang-format on
     return parameters;

@@ -11,10 +11,11 @@
 namespace vcg_ext
 {
 
-/// Threads that a run uses: \p requested, or every available core where it is 0 or less.
+/// Threads that a run uses: \p requested, or where it is 0 or less as many as OpenMP would: the environment's
+/// OMP_NUM_THREADS, or every available core.
 inline int ResolveThreads(int requested)
 {
-    return requested > 0 ? requested : std::max(1, omp_get_num_procs());
+    return requested > 0 ? requested : std::max(1, omp_get_max_threads());
 }
 
 /// Ends the worker threads when a run ends. They would wait for the next run otherwise, and a process that
