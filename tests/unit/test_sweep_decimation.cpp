@@ -401,6 +401,18 @@ class TestSweepDecimation : public QObject
         QVERIFY(same > result.positions.size() * 95 / 100);
     }
 
+    void everyInputFaceIsInTheOrderOnce()
+    {
+        const IndexedMesh sphere = test_meshes::Icosphere(4);
+        for (const int threads : {1, 3}) {
+            std::vector<std::uint32_t> order =
+                DecimateSweeps(View(sphere), Parameters(200, threads)).inputOrder;
+            std::sort(order.begin(), order.end());
+            QCOMPARE(order.size(), sphere.triangles.size());
+            for (std::uint32_t f = 0; f < order.size(); ++f) QCOMPARE(order[f], f);
+        }
+    }
+
     /// Processors with and without AVX2 come to the same costs.
     void eightEdgesAtOnceCostTheSameBits()
     {
