@@ -74,8 +74,6 @@ class Buffer
         Allocate(size, pages * kLargePage, std::align_val_t{kLargePage});
         AdviseLargePages(data(), pages * kLargePage);
     }
-    /// Forgets all but the first \p size values; the memory stays. \pre size <= size()
-    void Shrink(std::size_t size) { size_ = size; }
     void Release()
     {
         data_.reset();
