@@ -37,8 +37,6 @@ class FaceTree
     /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, and
     /// then either of them may be meant; or to faces that coincide, and then none is against.
     static constexpr float kTie = 1.00002F;
-    /// Squared distances below it are rounding, and say nothing about sides: two millionths of the diagonal.
-    static constexpr float kOnSurface2 = 4e-6F;
     /// A face looks against a direction where their cosine is below this: above, it may be rounding.
     static constexpr float kAgainst = -1e-6F;
 
@@ -51,6 +49,9 @@ class FaceTree
         levels_; ///< levels_[k][i] holds the nodes 4 i .. 4 i + 3 of the level below
 
   public:
+    /// Squared distances below it are rounding, and say nothing about sides: two millionths of the diagonal.
+    static constexpr float kOnSurface2 = 4e-6F;
+
     /// \param frame in which all queries are \param order the faces in a good order, if one is known
     /// \pre at least one face; finite coordinates; the view's triangles outlive this object and do not change
     FaceTree(const MeshView& view, const SurfaceFrame& frame, int threads,

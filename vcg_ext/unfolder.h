@@ -95,8 +95,7 @@ class Unfolder
         if (!IsFoldedNow(face)) return;
         FindRegion(face);
         std::optional<Change> best;
-        TryFlips(face, tolerance, best);
-        TryMoves(face, tolerance, bordersMove, best);
+        if (!TryFlips(face, tolerance, best)) TryMoves(face, tolerance, bordersMove, best);
         if (best) Carry(*best);
     }
 
@@ -229,6 +228,7 @@ class Unfolder
     struct Start {
         Look look;
         float energy = 0;
+        float rounding = 0; ///< a rise of the energy by so much says nothing
     };
     Start Begin() const
     {
@@ -236,29 +236,33 @@ class Unfolder
         for (const PlacedTriangle& face : placed_) {
             start.look.folded += IsFolded(original_, face);
             start.look.quality = std::min(start.look.quality, face.shape.quality);
+            start.rounding += face.shape.doubleArea / 2 * FaceTree::kOnSurface2;
         }
         start.energy = Energy(kNoLimit);
         return start;
     }
     /// Makes \p change, of which placed_ holds the new faces, the best one if it is.
-    void Offer(Change change, const Start& start, float tolerance, std::optional<Change>& best) const
+    /// \return no other could be better: it leaves no folded face, and the surface where it was
+    bool Offer(Change change, const Start& start, float tolerance, std::optional<Change>& best) const
     {
         const auto look = LookAtPlaced(start.look.folded);
         if (!look || look->folded >= start.look.folded ||
             look->quality < std::min(start.look.quality, kPoorQuality))
-            return;
+            return false;
         change.folded = start.look.folded - look->folded;
-        if (best && best->folded > change.folded) return;
+        if (best && best->folded > change.folded) return false;
         const bool tie = best && best->folded == change.folded;
-        const float allowed = tolerance * start.energy;
+        const float allowed = tolerance * start.energy + start.rounding;
         const float limit = tie ? std::min(allowed, start.energy + best->rise) : allowed;
         const float energy = Energy(limit);
-        if (!(energy <= limit) || (tie && energy - start.energy >= best->rise)) return;
+        if (!(energy <= limit) || (tie && energy - start.energy >= best->rise)) return false;
         change.rise = energy - start.energy;
         best = change;
+        return look->folded == 0 && change.rise <= start.rounding;
     }
 
-    void TryFlips(std::uint32_t face, float tolerance, std::optional<Change>& best)
+    /// Offers every flip, until one cannot be beaten. \return whether one cannot
+    bool TryFlips(std::uint32_t face, float tolerance, std::optional<Change>& best)
     {
         const SurfaceTriangle t = surface_.triangles[face];
         for (int k = 0; k < 3; ++k) {
@@ -272,8 +276,9 @@ class Unfolder
                        Placed(surface_, {{edge->b, edge->c, edge->d}})};
             Change change;
             change.flip = edge;
-            Offer(change, start, tolerance, best);
+            if (Offer(change, start, tolerance, best)) return true;
         }
+        return false;
     }
 
     void TryMoves(std::uint32_t face, float tolerance, bool bordersMove, std::optional<Change>& best)
@@ -290,15 +295,17 @@ class Unfolder
             const auto start = Begin();
             const Vector3 here = PositionOf(surface_, v);
             FindPlaces(face, v);
-            for (const Vector3& place : places_) {
-                Put(v, place);
+            bool unbeaten = false;
+            for (std::size_t i = 0; i < places_.size() && !unbeaten; ++i) {
+                Put(v, places_[i]);
                 PlaceStar();
                 Change change;
                 change.vertex = v;
-                change.place = place;
-                Offer(change, start, tolerance, best);
+                change.place = places_[i];
+                unbeaten = Offer(change, start, tolerance, best);
             }
             Put(v, here);
+            if (unbeaten) return;
         }
     }
     void PlaceStar()
