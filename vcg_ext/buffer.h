@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -33,63 +35,82 @@ template <class T>
 class Buffer
 {
     static_assert(std::is_trivially_copyable_v<T>, "Buffer leaves its values uninitialised");
-    static constexpr std::align_val_t kAlignment{64};
+    static constexpr std::size_t kAlignment = 64;
     /// Values that vector code may read (never use) behind the last one.
     static constexpr std::size_t kReadablePadding = 64;
 
     struct Free {
-        std::align_val_t alignment = kAlignment;
-        void operator()(T* data) const { ::operator delete(data, alignment); }
+        void operator()(void* block) const { std::free(block); }
     };
-    std::unique_ptr<T, Free> data_;
+    std::unique_ptr<void, Free> block_;
+    T* data_ = nullptr; ///< in it, aligned
     std::size_t size_ = 0;
 
-    void Allocate(std::size_t size, std::size_t bytes, std::align_val_t alignment)
+    static std::size_t BytesFor(std::size_t size) { return (size + kReadablePadding) * sizeof(T); }
+
+    /// \param block with room for \p alignment more than the values
+    void Take(void* block, std::size_t size, std::size_t alignment)
     {
-        Release();
-        data_ = std::unique_ptr<T, Free>(static_cast<T*>(::operator new(bytes, alignment)), Free{alignment});
+        block_.reset(block);
+        if (block == nullptr) throw std::bad_alloc();
+        const auto address = reinterpret_cast<std::uintptr_t>(block);
+        const std::uintptr_t aligned = (address + alignment - 1) / alignment * alignment;
+        data_ = reinterpret_cast<T*>(static_cast<unsigned char*>(block) + (aligned - address));
         size_ = size;
     }
 
   public:
     Buffer() = default;
     explicit Buffer(std::size_t size) { Allocate(size); }
-    Buffer(Buffer&& other) noexcept : data_(std::move(other.data_)), size_(std::exchange(other.size_, 0)) {}
+    Buffer(Buffer&& other) noexcept
+        : block_(std::move(other.block_)), data_(std::exchange(other.data_, nullptr)),
+          size_(std::exchange(other.size_, 0))
+    {
+    }
     Buffer& operator=(Buffer&& other) noexcept
     {
-        data_ = std::move(other.data_);
+        block_ = std::move(other.block_);
+        data_ = std::exchange(other.data_, nullptr);
         size_ = std::exchange(other.size_, 0);
         return *this;
     }
 
     /// Drops the content and takes room for \p size values. \throws std::bad_alloc
-    void Allocate(std::size_t size) { Allocate(size, (size + kReadablePadding) * sizeof(T), kAlignment); }
-
-    /// The same for many values that are visited in no order of theirs: on pages of 2 MiB, where the system
-    /// has them. The first touch of a small page costs as much as the work on all that is in it.
-    void AllocateOnLargePages(std::size_t size)
+    void Allocate(std::size_t size)
     {
-        const std::size_t pages = (size + kReadablePadding) * sizeof(T) / kLargePage + 1;
-        if (pages == 1) return Allocate(size);
-        Allocate(size, pages * kLargePage, std::align_val_t{kLargePage});
-        AdviseLargePages(data(), pages * kLargePage);
+        Release();
+        Take(std::malloc(BytesFor(size) + kAlignment), size, kAlignment);
+    }
+
+    /// The same with all bits 0, for many values that are visited in no order of theirs: on pages of 2 MiB,
+    /// where the system has them. The first touch of a small page costs as much as the work on all that is in
+    /// it, and fresh pages are zero already.
+    void AllocateZeros(std::size_t size)
+    {
+        Release();
+        const std::size_t pages = BytesFor(size) / kLargePage + 1;
+        const std::size_t alignment = pages > 1 ? kLargePage : kAlignment;
+        const std::size_t bytes = pages > 1 ? pages * kLargePage : BytesFor(size);
+        Take(std::calloc(bytes + alignment, 1), size, alignment);
+        if (pages > 1) AdviseLargePages(data(), bytes);
     }
     void Release()
     {
-        data_.reset();
+        block_.reset();
+        data_ = nullptr;
         size_ = 0;
     }
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
-    T* data() { return data_.get(); }
-    const T* data() const { return data_.get(); }
+    T* data() { return data_; }
+    const T* data() const { return data_; }
     T* begin() { return data(); }
     T* end() { return data() + size_; }
     const T* begin() const { return data(); }
     const T* end() const { return data() + size_; }
-    T& operator[](std::size_t i) { return data_.get()[i]; }
-    const T& operator[](std::size_t i) const { return data_.get()[i]; }
+    T& operator[](std::size_t i) { return data_[i]; }
+    const T& operator[](std::size_t i) const { return data_[i]; }
 };
 
 } // namespace vcg_ext

@@ -3,58 +3,32 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
 #include "decimation_types.h"
 #include "simd.h"
+#include "small_algebra.h"
 
 namespace vcg_ext
 {
 
 /// Three coordinates of four vectors.
-struct Float4x3 {
-    Float4 x, y, z;
-};
-inline Float4 Dot(const Float4x3& a, const Float4x3& b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Float4x3 Cross(const Float4x3& a, const Float4x3& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline Float4x3 operator*(const Float4x3& a, Float4 s)
-{
-    return {a.x * s, a.y * s, a.z * s};
-}
-inline Float4x3 operator+(const Float4x3& a, const Float4x3& b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Float4x3 operator-(const Float4x3& a, const Float4x3& b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-/// Four vectors {x, y, z, any} by coordinate.
-inline Float4x3 ByCoordinate(Float4 a, Float4 b, Float4 c, Float4 d)
-{
-    Transpose(a, b, c, d);
-    return {a, b, c};
-}
+using Float4x3 = sweeps::Vector3<Float4>;
 
-/// A position as it is stored; {x, y, z, 0} in single precision, so that four lanes subtract at once.
+/// A position as it is stored.
 struct Double3 {
-    double x, y, z;
+    Double2 xy, z; ///< z[1] is 0
 };
+/// {x, y, z, 0}
 inline Float4 Edge(Float4 from, Float4 to)
 {
     return to - from;
 }
 inline Float4 Edge(const Double3& from, const Double3& to)
 {
-    return Float4{static_cast<float>(to.x - from.x), static_cast<float>(to.y - from.y),
-                  static_cast<float>(to.z - from.z), 0};
+    return Narrow(to.xy - from.xy, to.z - from.z);
 }
 
 /// Reads edges of a mesh. The difference is taken in the precision of the coordinates and then rounded to
@@ -65,23 +39,39 @@ class EdgeReader
 {
     const unsigned char* positions_;
     std::size_t stride_;
+    std::uint32_t last_;
 
   public:
     using Position = std::conditional_t<std::is_same_v<Scalar, double>, Double3, Float4>;
 
     explicit EdgeReader(const MeshView& mesh)
-        : positions_(static_cast<const unsigned char*>(mesh.positions)), stride_(mesh.positionStride)
+        : positions_(static_cast<const unsigned char*>(mesh.positions)), stride_(mesh.positionStride),
+          last_(static_cast<std::uint32_t>(mesh.vertexCount - 1))
     {
     }
 
+    const unsigned char* Address(std::size_t v) const { return positions_ + v * stride_; }
+
+    std::uint32_t Last() const { return last_; }
+
+    /// {x, y, z, any} with one load. \pre coordinates are float, and \p v is not the last vertex
+    Float4 FourAt(std::size_t v) const
+    {
+        Float4 four;
+        std::memcpy(&four, Address(v), sizeof four);
+        return four;
+    }
     Position At(std::size_t v) const
     {
-        Scalar x, y, z;
-        const unsigned char* p = positions_ + v * stride_;
-        std::memcpy(&x, p, sizeof x);
-        std::memcpy(&y, p + sizeof x, sizeof y);
-        std::memcpy(&z, p + 2 * sizeof x, sizeof z);
-        return Position{x, y, z};
+        if constexpr (std::is_same_v<Scalar, double>) {
+            Double2 xy;
+            double z;
+            std::memcpy(&xy, Address(v), sizeof xy);
+            std::memcpy(&z, Address(v) + sizeof xy, sizeof z);
+            return {xy, Double2{z, 0}};
+        } else {
+            return LoadThree(Address(v));
+        }
     }
 
     /// The edges from \p from to the four vertices end(0) .. end(3).
@@ -89,8 +79,11 @@ class EdgeReader
     Float4x3 Edges(std::size_t from, const End& end) const
     {
         const Position p = At(from);
-        return ByCoordinate(Edge(p, At(end(0))), Edge(p, At(end(1))), Edge(p, At(end(2))),
-                            Edge(p, At(end(3))));
+        const Float4 edges[kLanes]{Edge(p, At(end(0))), Edge(p, At(end(1))), Edge(p, At(end(2))),
+                                   Edge(p, At(end(3)))};
+        Float4x3 columns;
+        ToColumns(edges, columns.x, columns.y, columns.z);
+        return columns;
     }
 };
 

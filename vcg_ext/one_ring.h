@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "buffer.h"
@@ -63,9 +64,8 @@ class OneRings
     /// \param threads used as they are
     explicit OneRings(const MeshView& mesh, int threads = 1);
 
-    /// The rings of some vertices, in one pass over the faces.
-    /// \param wanted one byte a vertex, not 0: it has a ring
-    OneRings(const MeshView& mesh, const std::vector<std::uint8_t>& wanted);
+    /// The rings of some vertices, in one pass over the faces. \param vertices in ascending order
+    OneRings(const MeshView& mesh, std::vector<std::uint32_t> vertices);
 
     std::size_t Count() const { return offset_.size() - 2; }
 
@@ -89,11 +89,19 @@ inline bool NamesAVertexTwice(const std::uint32_t* face)
 }
 
 /// One to one, and far from additive, so that sums over different vertices do not meet by accident.
-inline std::uint32_t MixedBits(std::uint32_t v)
+/// \tparam Unsigned of 32 bits, or a vector of such
+template <class Unsigned>
+[[gnu::always_inline]] inline void MixBits(Unsigned& v)
 {
     v *= 0x9E3779B1u;
     v ^= v >> 15;
-    return v * 0x85EBCA77u;
+    v *= 0x85EBCA77u;
+    v ^= v >> 13;
+}
+inline std::uint32_t MixedBits(std::uint32_t v)
+{
+    MixBits(v);
+    return v;
 }
 
 inline RingCorner OneRings::CornerOf(const MeshView& mesh, std::size_t face, std::size_t k)
@@ -137,33 +145,25 @@ inline OneRings::OneRings(const MeshView& mesh, int threads) : offset_(mesh.vert
     });
 }
 
-inline OneRings::OneRings(const MeshView& mesh, const std::vector<std::uint8_t>& wanted)
+inline OneRings::OneRings(const MeshView& mesh, std::vector<std::uint32_t> vertices)
+    : vertices_(std::move(vertices)), offset_(vertices_.size() + 2, 0)
 {
-    std::vector<std::size_t> faces;
+    std::vector<std::uint8_t> wanted(mesh.vertexCount, 0);
+    for (const std::uint32_t v : vertices_) wanted[v] = 1;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // ring, corner of the mesh
     for (std::size_t f = 0; f < mesh.faceCount; ++f) {
         const std::uint32_t* v = mesh.triangles + 3 * f;
-        if ((wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) != 0 && !NamesAVertexTwice(v)) faces.push_back(f);
+        if ((wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) == 0 || NamesAVertexTwice(v)) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!wanted[v[k]]) continue;
+            const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), v[k]);
+            found.emplace_back(at - vertices_.begin(), 3 * f + k);
+            ++offset_[found.back().first + 2];
+        }
     }
-    Buffer<std::uint32_t> ringOf;
-    ringOf.AllocateOnLargePages(mesh.vertexCount);
-    for (std::uint32_t v = 0; v < mesh.vertexCount; ++v) {
-        if (!wanted[v]) continue;
-        ringOf[v] = static_cast<std::uint32_t>(vertices_.size());
-        vertices_.push_back(v);
-    }
-    offset_.assign(vertices_.size() + 2, 0);
-    const auto forEachCorner = [&](const auto& visit) {
-        for (const std::size_t f : faces)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t v = mesh.triangles[3 * f + k];
-                if (wanted[v]) visit(f, ringOf[v], k);
-            }
-    };
-    forEachCorner([&](std::size_t, std::uint32_t ring, std::size_t) { ++offset_[ring + 2]; });
     CountsToOffsets();
-    forEachCorner([&](std::size_t f, std::uint32_t ring, std::size_t k) {
-        corners_[offset_[ring + 1]++] = CornerOf(mesh, f, k);
-    });
+    for (const auto& [ring, corner] : found)
+        corners_[offset_[ring + 1]++] = CornerOf(mesh, corner / 3, corner % 3);
 }
 
 /// Whether the `next` of the corners alone are the neighbours: none is a diagonal, none is there twice, and

@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#if defined(__SSE2__)
+#if defined(__x86_64__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
@@ -22,6 +24,7 @@ namespace vcg_ext
 
 typedef float Float4 __attribute__((vector_size(16)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
+typedef std::uint32_t Unsigned4 __attribute__((vector_size(16)));
 typedef double Double2 __attribute__((vector_size(16)));
 
 constexpr int kLanes = 4;
@@ -67,6 +70,16 @@ inline Float4 LoadUnaligned(const float* p)
 {
     return _mm_loadu_ps(p);
 }
+/// The three floats at \p p and 0.
+inline Float4 LoadThree(const void* p)
+{
+    const auto* bytes = static_cast<const unsigned char*>(p);
+    double xy;
+    float z;
+    std::memcpy(&xy, bytes, sizeof xy);
+    std::memcpy(&z, bytes + sizeof xy, sizeof z);
+    return _mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(xy)), _mm_set_ss(z));
+}
 /// \pre 16-byte aligned
 inline void Store(float* p, Float4 a)
 {
@@ -93,11 +106,6 @@ inline int LaneBits(Int4 mask)
 {
     return _mm_movemask_ps(Floats(mask));
 }
-/// \p a with the first lane of \p b.
-inline Float4 FirstOfOther(Float4 a, Float4 b)
-{
-    return _mm_move_ss(a, b);
-}
 /// Rows become columns.
 inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
 {
@@ -122,6 +130,12 @@ inline Float4 Load(const float* p)
 {
     return LoadUnaligned(p);
 }
+inline Float4 LoadThree(const void* p)
+{
+    float xyz[3];
+    std::memcpy(xyz, p, sizeof xyz);
+    return Float4{xyz[0], xyz[1], xyz[2], 0};
+}
 inline void StoreUnaligned(float* p, Float4 a)
 {
     for (int i = 0; i < kLanes; ++i) p[i] = a[i];
@@ -145,10 +159,6 @@ inline Float4 Sqrt(Float4 a)
 inline int LaneBits(Int4 mask)
 {
     return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
-}
-inline Float4 FirstOfOther(Float4 a, Float4 b)
-{
-    return Float4{b[0], a[1], a[2], a[3]};
 }
 inline void Transpose(Float4& a, Float4& b, Float4& c, Float4& d)
 {
@@ -182,6 +192,82 @@ inline void LoadRows(const float* const* rows, int place, Float4& a, Float4& b, 
     Transpose(a, b, c, d);
 }
 
+/// The columns {a, b, c, d} as four rows. \pre 16-byte aligned
+inline void StoreTransposed(float* p0, float* p1, float* p2, float* p3, Float4 a, Float4 b, Float4 c,
+                            Float4 d)
+{
+    Transpose(a, b, c, d);
+    Store(p0, a);
+    Store(p1, b);
+    Store(p2, c);
+    Store(p3, d);
+}
+
+/// The integers as wide as a Real. \tparam Real Float4 or Float8
+template <class Real>
+struct IntegersLike;
+template <>
+struct IntegersLike<Float4> {
+    using Int = Int4;
+    using Unsigned = Unsigned4;
+};
+template <class Real>
+using IntLike = typename IntegersLike<Real>::Int;
+template <class Real>
+using UnsignedLike = typename IntegersLike<Real>::Unsigned;
+
+/// As many triples as lanes, their first, second and third members.
+inline void LoadTriples(const std::uint32_t* p, Unsigned4& first, Unsigned4& second, Unsigned4& third)
+{
+    first = Unsigned4{p[0], p[3], p[6], p[9]};
+    second = Unsigned4{p[1], p[4], p[7], p[10]};
+    third = Unsigned4{p[2], p[5], p[8], p[11]};
+}
+/// 2^k for every byte k below 8.
+inline Unsigned4 PowersOfTwo(Unsigned4 bytes)
+{
+    const Unsigned4 one = Unsigned4{} + 0x01010101u;
+    const Unsigned4 two = bytes >> 1 & one, four = bytes >> 2 & one;
+    const Unsigned4 byFour = (two << 8) - two, bySixteen = (four << 8) - four; // 0 or 255
+    Unsigned4 power = one + (bytes & one);
+    power = (power & ~byFour) | (power << 2 & byFour);
+    return (power & ~bySixteen) | (power << 4 & bySixteen);
+}
+/// low[0], high[0], low[1], high[1], ...
+inline void StoreInterleaved(std::uint32_t* p, Unsigned4 low, Unsigned4 high)
+{
+    const Unsigned4 first{low[0], high[0], low[1], high[1]}, second{low[2], high[2], low[3], high[3]};
+    std::memcpy(p, &first, sizeof first);
+    std::memcpy(p + kLanes, &second, sizeof second);
+}
+/// The first three members of the rows, by column.
+inline void ToColumns(const Float4* rows, Float4& x, Float4& y, Float4& z)
+{
+    Float4 rest = rows[3];
+    x = rows[0];
+    y = rows[1];
+    z = rows[2];
+    Transpose(x, y, z, rest);
+}
+/// Eight columns as rows of eight floats.
+inline void StoreRows(float (*rows)[8], const Float4* columns)
+{
+    for (std::size_t half = 0; half < 2; ++half) {
+        const Float4* c = columns + 4 * half;
+        StoreTransposed(rows[0] + 4 * half, rows[1] + 4 * half, rows[2] + 4 * half, rows[3] + 4 * half, c[0],
+                        c[1], c[2], c[3]);
+    }
+}
+/// Adds a row of eight floats. \tparam Real to work with: the sums are the same
+template <class Real>
+void AddRow(float* sums, const float* row);
+template <>
+inline void AddRow<Float4>(float* sums, const float* row)
+{
+    for (std::size_t half = 0; half < 8; half += kLanes)
+        StoreUnaligned(sums + half, LoadUnaligned(sums + half) + Load(row + half));
+}
+
 #if defined(__x86_64__) && defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__)
 #define VCG_EXT_HAS_FLOAT8
 /// For the functions that work on Float8, and for them alone: they may be called where HasAvx2().
@@ -190,6 +276,12 @@ inline void LoadRows(const float* const* rows, int place, Float4& a, Float4& b, 
 
 typedef float Float8 __attribute__((vector_size(32)));
 typedef std::int32_t Int8 __attribute__((vector_size(32)));
+typedef std::uint32_t Unsigned8 __attribute__((vector_size(32)));
+template <>
+struct IntegersLike<Float8> {
+    using Int = Int8;
+    using Unsigned = Unsigned8;
+};
 
 inline bool HasAvx2()
 {
@@ -205,23 +297,114 @@ template <>
 {
     return a > b ? a : b;
 }
+[[gnu::target("avx2")]] inline Float8 Sqrt(const Float8& a)
+{
+    return _mm256_sqrt_ps(a);
+}
+[[gnu::target("avx2")]] inline bool AnyLane(const Int8& mask)
+{
+    return !_mm256_testz_si256(reinterpret_cast<__m256i>(mask), reinterpret_cast<__m256i>(mask));
+}
+[[gnu::always_inline]] inline Float8 Select(const Int8& mask, const Float8& yes, const Float8& no)
+{
+    return mask ? yes : no;
+}
+[[gnu::always_inline]] inline Float8 Joined(const Float4& low, const Float4& high)
+{
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+/// In either half rows become columns.
+[[gnu::always_inline]] inline void Transpose(Float8& a, Float8& b, Float8& c, Float8& d)
+{
+    const Int8 low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
+    const Int8 first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+    const Float8 lowAB = __builtin_shuffle(a, b, low), highAB = __builtin_shuffle(a, b, high);
+    const Float8 lowCD = __builtin_shuffle(c, d, low), highCD = __builtin_shuffle(c, d, high);
+    a = __builtin_shuffle(lowAB, lowCD, first);
+    b = __builtin_shuffle(lowAB, lowCD, second);
+    c = __builtin_shuffle(highAB, highCD, first);
+    d = __builtin_shuffle(highAB, highCD, second);
+}
 [[gnu::always_inline]] inline void LoadRows(const float* const* rows, int place, Float8& a, Float8& b,
                                             Float8& c, Float8& d)
 {
-    const auto join = [&](int i) __attribute__((always_inline))
+    a = Joined(Load(rows[0] + place), Load(rows[4] + place));
+    b = Joined(Load(rows[1] + place), Load(rows[5] + place));
+    c = Joined(Load(rows[2] + place), Load(rows[6] + place));
+    d = Joined(Load(rows[3] + place), Load(rows[7] + place));
+    Transpose(a, b, c, d);
+}
+[[gnu::always_inline]] inline void ToColumns(const Float4* rows, Float8& x, Float8& y, Float8& z)
+{
+    Float8 rest = Joined(rows[3], rows[7]);
+    x = Joined(rows[0], rows[4]);
+    y = Joined(rows[1], rows[5]);
+    z = Joined(rows[2], rows[6]);
+    Transpose(x, y, z, rest);
+}
+[[gnu::always_inline]] inline void StoreRows(float (*rows)[8], const Float8* columns)
+{
+    Float8 a = columns[0], b = columns[1], c = columns[2], d = columns[3];
+    Float8 e = columns[4], f = columns[5], g = columns[6], h = columns[7];
+    Transpose(a, b, c, d);
+    Transpose(e, f, g, h);
+    const auto store =
+        [](float(*two)[8], const Float8& left, const Float8& right) __attribute__((always_inline))
     {
-        return __builtin_shufflevector(Load(rows[i] + place), Load(rows[i + 4] + place), 0, 1, 2, 3, 4, 5, 6,
-                                       7);
+        const Float8 first = __builtin_shuffle(left, right, Int8{0, 1, 2, 3, 8, 9, 10, 11});
+        const Float8 fifth = __builtin_shuffle(left, right, Int8{4, 5, 6, 7, 12, 13, 14, 15});
+        std::memcpy(two[0], &first, sizeof first);
+        std::memcpy(two[4], &fifth, sizeof fifth);
     };
-    const Float8 r0 = join(0), r1 = join(1), r2 = join(2), r3 = join(3);
-    const Int8 low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
-    const Int8 first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
-    const Float8 low01 = __builtin_shuffle(r0, r1, low), high01 = __builtin_shuffle(r0, r1, high);
-    const Float8 low23 = __builtin_shuffle(r2, r3, low), high23 = __builtin_shuffle(r2, r3, high);
-    a = __builtin_shuffle(low01, low23, first);
-    b = __builtin_shuffle(low01, low23, second);
-    c = __builtin_shuffle(high01, high23, first);
-    d = __builtin_shuffle(high01, high23, second);
+    store(rows, a, e);
+    store(rows + 1, b, f);
+    store(rows + 2, c, g);
+    store(rows + 3, d, h);
+}
+template <>
+[[gnu::always_inline]] inline void AddRow<Float8>(float* sums, const float* row)
+{
+    Float8 sum, other;
+    std::memcpy(&sum, sums, sizeof sum);
+    std::memcpy(&other, row, sizeof other);
+    sum += other;
+    std::memcpy(sums, &sum, sizeof sum);
+}
+[[gnu::target("avx2")]] inline Unsigned8 LoadEight(const std::uint32_t* p)
+{
+    Unsigned8 integers;
+    std::memcpy(&integers, p, sizeof integers);
+    return integers;
+}
+/// Lane i of the result is lane order[i] of the one among \p a, \p b, \p c that \p fromB and \p fromC tell.
+template <int kFromB, int kFromC>
+[[gnu::target("avx2")]] inline Unsigned8 Gathered(const Unsigned8& a, const Unsigned8& b, const Unsigned8& c,
+                                                  const Int8& order)
+{
+    const __m256i ab = _mm256_blend_epi32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b), kFromB);
+    const __m256i abc = _mm256_blend_epi32(ab, reinterpret_cast<__m256i>(c), kFromC);
+    return reinterpret_cast<Unsigned8>(_mm256_permutevar8x32_epi32(abc, reinterpret_cast<__m256i>(order)));
+}
+[[gnu::always_inline]] inline void LoadTriples(const std::uint32_t* p, Unsigned8& first, Unsigned8& second,
+                                               Unsigned8& third)
+{
+    const Unsigned8 a = LoadEight(p), b = LoadEight(p + 8), c = LoadEight(p + 16);
+    first = Gathered<0b10010010, 0b00100100>(a, b, c, Int8{0, 3, 6, 1, 4, 7, 2, 5});
+    second = Gathered<0b00100100, 0b01001001>(a, b, c, Int8{1, 4, 7, 2, 5, 0, 3, 6});
+    third = Gathered<0b01001001, 0b10010010>(a, b, c, Int8{2, 5, 0, 3, 6, 1, 4, 7});
+}
+[[gnu::target("avx2")]] inline Unsigned8 PowersOfTwo(const Unsigned8& bytes)
+{
+    const __m256i powers = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201));
+    return reinterpret_cast<Unsigned8>(_mm256_shuffle_epi8(powers, reinterpret_cast<__m256i>(bytes)));
+}
+[[gnu::always_inline]] inline void StoreInterleaved(std::uint32_t* p, const Unsigned8& low,
+                                                    const Unsigned8& high)
+{
+    const Unsigned8 a = __builtin_shuffle(low, high, Unsigned8{0, 8, 1, 9, 2, 10, 3, 11});
+    const Unsigned8 b = __builtin_shuffle(low, high, Unsigned8{4, 12, 5, 13, 6, 14, 7, 15});
+    std::memcpy(p, &a, sizeof a);
+    std::memcpy(p + 8, &b, sizeof b);
 }
 #else
 inline bool HasAvx2()
@@ -284,16 +467,6 @@ inline void LoadTransposed(const float* p0, const float* p1, const float* p2, co
     z = Load(p2);
     payload = Load(p3);
     Transpose(x, y, z, payload);
-}
-/// The columns {a, b, c, d} as four rows. \pre 16-byte aligned
-inline void StoreTransposed(float* p0, float* p1, float* p2, float* p3, Float4 a, Float4 b, Float4 c,
-                            Float4 d)
-{
-    Transpose(a, b, c, d);
-    Store(p0, a);
-    Store(p1, b);
-    Store(p2, c);
-    Store(p3, d);
 }
 
 } // namespace vcg_ext

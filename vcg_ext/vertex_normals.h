@@ -51,11 +51,11 @@ std::array<float, 3> VertexNormal(const EdgeReader<Scalar>& reader, std::size_t 
         const auto corner = [&](std::size_t lane) { return corners[std::min(i + lane, last)]; };
         Float4x3 a = reader.Edges(v, [&](std::size_t lane) { return corner(lane).next; });
         Float4x3 b = reader.Edges(v, [&](std::size_t lane) { return corner(lane).previous; });
-        a = a * InverseLength(Dot(a, a));
-        b = b * InverseLength(Dot(b, b));
+        a = InverseLength(Dot(a, a)) * a;
+        b = InverseLength(Dot(b, b)) * b;
         const Float4x3 normal = Cross(a, b);
         const Int4 lanes = FirstLanes(static_cast<int>(std::min<std::size_t>(last + 1 - i, kLanes)));
-        sum = sum + normal * Select(lanes, ChordWeight(Dot(normal, normal), a - b), Float4{});
+        sum = sum + Select(lanes, ChordWeight(Dot(normal, normal), a - b), Float4{}) * normal;
     }
     std::array<float, 3> n{SumLanes(sum.x), SumLanes(sum.y), SumLanes(sum.z)};
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);

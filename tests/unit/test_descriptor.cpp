@@ -188,21 +188,32 @@ double LargestDifference(const std::vector<double>& a, const std::vector<double>
     return largest;
 }
 
+/// A mesh in single precision; nothing follows the last coordinate.
+struct SingleMesh {
+    std::vector<std::array<float, 3>> positions;
+    MeshView view;
+
+    explicit SingleMesh(const IndexedMesh& mesh) : view(View(mesh))
+    {
+        for (const Point& p : mesh.points)
+            positions.push_back(
+                {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+        positions.shrink_to_fit();
+        view.positions = positions.data();
+        view.positionStride = sizeof(positions.front());
+        view.doublePositions = false;
+    }
+};
+
 /// The largest difference of the one pass over the faces from the walk around every vertex, in double
 /// precision and in single.
 double DifferenceFromTheRings(const IndexedMesh& mesh)
 {
-    MeshView view = View(mesh);
-    const double inDouble =
-        LargestDifference(OneRingDescriptor<LaplacianFold>(view), LaplacianDescriptor(view));
-    std::vector<std::array<float, 3>> positions;
-    for (const Point& p : mesh.points)
-        positions.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
-    view.positions = positions.data();
-    view.positionStride = sizeof(positions.front());
-    view.doublePositions = false;
-    return std::max(inDouble,
-                    LargestDifference(OneRingDescriptor<LaplacianFold>(view), LaplacianDescriptor(view)));
+    const MeshView view = View(mesh);
+    const SingleMesh single(mesh);
+    return std::max(
+        LargestDifference(OneRingDescriptor<LaplacianFold>(view), LaplacianDescriptor(view)),
+        LargestDifference(OneRingDescriptor<LaplacianFold>(single.view), LaplacianDescriptor(single.view)));
 }
 
 const std::vector<Descriptor> kOneRingKinds{Descriptor::Laplacian, Descriptor::NormalizedUmbrella,
@@ -229,7 +240,7 @@ class TestDescriptor : public QObject
     void diagonalsAreNoNeighbours();
     void sameAtEveryPlaceAndScale();
     void sameOnEveryKindOfMesh();
-    void sameBytesForEveryNumberOfThreads();
+    void sameBytesForEveryNumberOfThreadsAndLanes();
     void deletedElementsDoNotCount();
     void emptyMeshHasNone();
     void rescalingMapsThePercentileToOne();
@@ -428,13 +439,18 @@ void TestDescriptor::sameOnEveryKindOfMesh()
     }
 }
 
-void TestDescriptor::sameBytesForEveryNumberOfThreads()
+void TestDescriptor::sameBytesForEveryNumberOfThreadsAndLanes()
 {
     for (const auto& [name, source] : Families()) {
         const MeshView view = View(source);
-        const auto one = LaplacianDescriptorOf<double>(view, 1);
+        const SingleMesh single(source);
+        const auto inDouble = LaplacianDescriptorOf<double>(view, 1, false);
+        const auto inSingle = LaplacianDescriptorOf<float>(single.view, 1, false);
+        QVERIFY2(LaplacianDescriptorOf<double>(view, 1, HasAvx2()) == inDouble, name);
+        QVERIFY2(LaplacianDescriptorOf<float>(single.view, 1, HasAvx2()) == inSingle, name);
         for (const int threads : {2, 3, 7}) {
-            QVERIFY2(LaplacianDescriptorOf<double>(view, threads) == one, name);
+            QVERIFY2(LaplacianDescriptorOf<double>(view, threads, HasAvx2()) == inDouble, name);
+            QVERIFY2(LaplacianDescriptorOf<float>(single.view, threads, HasAvx2()) == inSingle, name);
             const OneRings rings(view), together(view, threads);
             for (std::size_t v = 0; v < source.points.size(); ++v)
                 QVERIFY2(std::equal(rings.Corners(v).begin(), rings.Corners(v).end(),
