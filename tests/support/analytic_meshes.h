@@ -117,6 +117,24 @@ inline IndexedMesh Box(int divisions, double side = 1, bool quads = false)
     return mesh;
 }
 
+/// Four faces from each, in its plane. \pre triangles only
+inline IndexedMesh SubdividedAtMidpoints(IndexedMesh mesh)
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [at, fresh] = middles.emplace(std::minmax(a, b), mesh.points.size());
+        const Point p = mesh.points[a], q = mesh.points[b];
+        if (fresh) mesh.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
+        return at->second;
+    };
+    const auto coarse = std::exchange(mesh.triangles, {});
+    for (const auto& [a, b, c] : coarse) {
+        const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        mesh.triangles.insert(mesh.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    return mesh;
+}
+
 /// The icosahedron on the unit sphere, every face split in four \p levels times: 20 * 4^levels faces.
 inline IndexedMesh Icosphere(int levels)
 {
@@ -128,19 +146,7 @@ inline IndexedMesh Icosphere(int levels)
                       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     for (int level = 0; level < levels; ++level) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-        const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [at, fresh] = middles.emplace(std::minmax(a, b), mesh.points.size());
-            const Point p = mesh.points[a], q = mesh.points[b];
-            if (fresh) mesh.points.push_back({p[0] + q[0], p[1] + q[1], p[2] + q[2]});
-            return at->second;
-        };
-        const auto coarse = std::exchange(mesh.triangles, {});
-        for (const auto& [a, b, c] : coarse) {
-            const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            mesh.triangles.insert(mesh.triangles.end(),
-                                  {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-        }
+        mesh = SubdividedAtMidpoints(mesh);
         for (Point& p : mesh.points) {
             const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
             for (double& x : p) x /= length;

@@ -228,6 +228,31 @@ class TestUnfold : public QObject
         QVERIFY(mesh.triangles == folded.triangles);
     }
 
+    /// In the facets of a polyhedron the distance from itself is rounding. A change may add to it, so that
+    /// folds there are mended by the first and strictest pass, while the progress stands at 0.
+    void roundingIsNoReasonToLeaveAFold()
+    {
+        std::size_t mended = 0;
+        for (const unsigned seed : {1u, 3u, 5u}) {
+            IndexedMesh facets = Noisy(Icosphere(2), 0.05, seed);
+            for (int level = 0; level < 4; ++level) facets = SubdividedAtMidpoints(facets);
+            vcg_ext::DecimationParameters parameters;
+            parameters.targetFaces = facets.triangles.size() / 10;
+            parameters.threads = 2;
+            DecimatedMesh mesh = vcg_ext::DecimateSweeps(View(facets), parameters);
+            int furthest = 0;
+            const auto report = vcg_ext::UnfoldFaces(View(facets), mesh, vcg_ext::Boundary::Lock, 2,
+                                                     [&](int percent, const char*) {
+                                                         furthest = std::max(furthest, percent);
+                                                         return true;
+                                                     });
+            QCOMPARE(report.after, std::size_t{0});
+            QCOMPARE(furthest, 0);
+            mended += report.before;
+        }
+        QVERIFY(mended > 0);
+    }
+
     /// Two sheets that coincide and look apart: whichever the other one is found first, nothing is folded.
     void bothSidesOfASheetAreSound()
     {
