@@ -36,10 +36,11 @@ struct GuidedParameters {
 ///     x     = argmin Q(x) + volume plane + 1e-6 trace(Q) / 3 |x - midpoint|²
 ///     cost  = (max(Q(x), .35 (A_u + A_v)(x)) + 1e-12 |uv|² trace(Q)) / min(worst quality, .03)
 ///
-/// Where a face would turn by more than acos(.2) the midpoint and the ends are tried for x, and the edge is
-/// refused if they do the same. The weight never falls: the survivor takes the larger l and w, and where its
-/// own descriptor has risen above them A and w rise with it.
-/// All of that is computed in double precision in the frame of CollapseFrame, whatever the mesh's scalar.
+/// Where an end of the edge costs no more than rounding x is that end: flat parts and straight creases keep
+/// their coordinates. Where a face would turn by more than acos(.2) the midpoint and the ends are tried for
+/// x, and the edge is refused if they do the same. The weight never falls: the survivor takes the larger l
+/// and w, and where its own descriptor has risen above them A and w rise with it. All of that is computed in
+/// double precision in the frame of CollapseFrame, whatever the mesh's scalar.
 template <class Mesh>
 class GuidedCollapse
 {
@@ -56,6 +57,8 @@ class GuidedCollapse
     static constexpr double kQualityClamp = .03;
     /// Decides between edges that cost nothing: the shorter first.
     static constexpr double kLengthTerm = 1e-12;
+    /// Planes that are missed by less, as a part of the diagonal, are met but for rounding.
+    static constexpr double kNoDistance = 2e-6;
     /// Pull to the midpoint where the quadric determines nothing.
     static constexpr double kTikhonov = 1e-6;
     static constexpr double kVolumeWeight = 3;
@@ -127,6 +130,20 @@ class GuidedCollapse
         return QuadricCost(edge, x) / *quality;
     }
 
+    /// Where the surface around the edge is flat, or a straight crease, the end that costs less, if no face
+    /// turns too far. That keeps its coordinates to the last bit: a computed place lies in no plane of the
+    /// star but for rounding.
+    std::optional<CollapseAssessment> AtAnEnd(const EdgeQuadric& edge) const
+    {
+        const double rounding = kNoDistance * kNoDistance * edge.trace;
+        const double costRemoved = QuadricCost(edge, -edge.half), costKept = QuadricCost(edge, edge.half);
+        const bool atKept = costKept <= costRemoved;
+        if (!(std::min(costKept, costRemoved) <= rounding)) return std::nullopt;
+        const std::optional<double> cost = CostAt(edge, atKept ? edge.half : -edge.half);
+        if (!cost || *cost > rounding) return std::nullopt;
+        return CollapseAssessment{*cost, atKept ? edge.kept->position : edge.removed->position, true};
+    }
+
     /// Where the best place is refused one of these may do, so that targets stay within reach.
     std::optional<double> CheapestOfEndsAndMidpoint(const EdgeQuadric& edge, Point& x) const
     {
@@ -176,6 +193,8 @@ class GuidedCollapse
     {
         const EdgeQuadric edge = QuadricOf(removed, kept);
         const StarMoments moments = stars_.Gather(removed, kept, edge.midpoint, starFaces_);
+        if (!IsFixed(kept))
+            if (const auto atAnEnd = AtAnEnd(edge)) return atAnEnd;
         Point x = Placement(edge, IsFixed(kept), VolumePlaneOf(edge, moments));
         std::optional<double> cost = CostAt(edge, x);
         if (!cost && !IsFixed(kept)) cost = CheapestOfEndsAndMidpoint(edge, x);
@@ -196,8 +215,9 @@ class GuidedCollapse
     {
         const std::size_t from = IndexOf(removed), into = IndexOf(kept);
         parent_[from] = static_cast<std::uint32_t>(into);
-        if (IsFixed(kept)) {
-            stars_.Merge(from, into, stars_.vertex(into).position);
+        const Point here = stars_.vertex(into).position;
+        if (IsFixed(kept) || placement == here) {
+            stars_.Merge(from, into, here);
             return kept.cP();
         }
         moved_[into] = 1;
