@@ -194,7 +194,7 @@ class GuidedCollapse
         const EdgeQuadric edge = QuadricOf(removed, kept);
         const StarMoments moments = stars_.Gather(removed, kept, edge.midpoint, starFaces_);
         if (!IsFixed(kept))
-            if (const auto atAnEnd = AtAnEnd(edge)) return atAnEnd;
+            if (auto atAnEnd = AtAnEnd(edge)) return atAnEnd;
         Point x = Placement(edge, IsFixed(kept), VolumePlaneOf(edge, moments));
         std::optional<double> cost = CostAt(edge, x);
         if (!cost && !IsFixed(kept)) cost = CheapestOfEndsAndMidpoint(edge, x);
