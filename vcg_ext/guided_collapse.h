@@ -37,7 +37,7 @@ struct GuidedParameters {
 ///     cost  = (max(Q(x), .35 (A_u + A_v)(x)) + 1e-12 |uv|² trace(Q)) / min(worst quality, .03)
 ///
 /// Where an end of the edge costs no more than rounding x is that end: flat parts and straight creases keep
-/// their coordinates. Where a face would turn by more than acos(.2) the midpoint and the ends are tried for
+/// places of the input. Where a face would turn by more than acos(.2) the midpoint and the ends are tried for
 /// x, and the edge is refused if they do the same. The weight never falls: the survivor takes the larger l
 /// and w, and where its own descriptor has risen above them A and w rise with it. All of that is computed in
 /// double precision in the frame of CollapseFrame, whatever the mesh's scalar.
@@ -131,8 +131,8 @@ class GuidedCollapse
     }
 
     /// Where the surface around the edge is flat, or a straight crease, the end that costs less, if no face
-    /// turns too far. That keeps its coordinates to the last bit: a computed place lies in no plane of the
-    /// star but for rounding.
+    /// turns too far: a computed place lies in no plane of the star but for rounding. The survivor may get
+    /// the place of the removed vertex; it stays itself.
     std::optional<CollapseAssessment> AtAnEnd(const EdgeQuadric& edge) const
     {
         const double rounding = kNoDistance * kNoDistance * edge.trace;

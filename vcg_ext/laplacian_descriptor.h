@@ -120,7 +120,7 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads, boo
 
 /// The Laplacian descriptor (Eq. 5) of every vertex, 0 where it has no faces; within float rounding the same
 /// as OneRingDescriptor<LaplacianFold>, several times faster: one pass over the faces counts every neighbour
-/// twice; the few vertices where that is not so (borders, non-manifold edges) or where a face is a needle are
+/// once; the few vertices where that is not so (borders, non-manifold edges) or where a face is a needle are
 /// done again by their rings.
 /// \param threads 0: all \pre as OneRings
 inline std::vector<double> LaplacianDescriptor(const MeshView& mesh, int threads = 1)

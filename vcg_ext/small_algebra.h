@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Vectors and symmetric matrices of three dimensions, on one number (float, double) or on four (Float4).
+// Vectors and symmetric matrices of three dimensions, on one number (float, double) or on several (Float4,
+// Float8).
 
 #include <cmath>
 

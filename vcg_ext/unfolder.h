@@ -242,7 +242,8 @@ class Unfolder
         return start;
     }
     /// Makes \p change, of which placed_ holds the new faces, the best one if it is.
-    /// \return no other could be better: it leaves no folded face, and the surface where it was
+    /// \return it is good enough to look no further: no face that it puts in place is folded, and the energy
+    /// has not risen but for rounding
     bool Offer(Change change, const Start& start, float tolerance, std::optional<Change>& best) const
     {
         const auto look = LookAtPlaced(start.look.folded);
