@@ -9,7 +9,7 @@
 #include "parameters.h"
 #include "number_text.h"
 #include "results.h"
-#include "vcg_ext/decimation.h"
+#include "vcg_ext/decimate.h"
 
 namespace laplacian_simplify
 {

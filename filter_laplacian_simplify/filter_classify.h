@@ -16,7 +16,7 @@
 #include "results.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/feature_classes.h"
+#include "vcg_ext/core/descriptor/feature_classes.h"
 #include "vcg_ext/mesh_arrays.h"
 
 namespace laplacian_simplify

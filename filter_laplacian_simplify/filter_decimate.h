@@ -20,7 +20,7 @@
 #include "progress.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/decimation.h"
+#include "vcg_ext/decimate.h"
 
 namespace laplacian_simplify
 {

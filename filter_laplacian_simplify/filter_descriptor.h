@@ -18,7 +18,7 @@
 #include "results.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/descriptor.h"
+#include "vcg_ext/descriptors.h"
 
 namespace laplacian_simplify
 {

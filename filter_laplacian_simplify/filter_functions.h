@@ -13,7 +13,7 @@
 #include "host.h"
 #include "results.h"
 #include "values.h"
-#include "vcg_ext/parallel.h"
+#include "vcg_ext/core/base/parallel.h"
 
 namespace laplacian_simplify
 {

@@ -19,7 +19,7 @@
 #include "results.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/laplacian_operators.h"
+#include "vcg_ext/smoothing.h"
 #include "vcg_ext/mesh_arrays.h"
 
 namespace laplacian_simplify

@@ -17,11 +17,11 @@
 #include "progress.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/decimation.h"
-#include "vcg_ext/discrete_curvatures.h"
-#include "vcg_ext/feature_classes.h"
+#include "vcg_ext/decimate.h"
+#include "vcg_ext/curvature.h"
+#include "vcg_ext/core/descriptor/feature_classes.h"
 #include "vcg_ext/mesh_arrays.h"
-#include "vcg_ext/weighted_decimation.h"
+#include "vcg_ext/ordered/weighted_decimate.h"
 
 namespace laplacian_simplify
 {

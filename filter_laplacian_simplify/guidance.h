@@ -11,7 +11,7 @@
 
 #include <vcg/complex/complex.h>
 
-#include "vcg_ext/descriptor.h"
+#include "vcg_ext/descriptors.h"
 
 namespace laplacian_simplify
 {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "number_text.h"
-#include "vcg_ext/descriptor.h"
-#include "vcg_ext/error_functions.h"
-#include "vcg_ext/laplacian_operators.h"
+#include "vcg_ext/descriptors.h"
+#include "vcg_ext/ordered/error_functions.h"
+#include "vcg_ext/smoothing.h"
 
 namespace laplacian_simplify
 {

@@ -11,7 +11,7 @@
 
 #include <vcg/complex/complex.h>
 
-#include "decimation_types.h"
+#include "vcg_ext/core/mesh/decimation_types.h"
 
 namespace vcg_ext
 {

@@ -10,9 +10,9 @@
 #include <vcg/complex/complex.h>
 #include <vcg/space/index/kdtree/kdtree.h>
 
-#include "buffer.h"
-#include "parallel.h"
-#include "surface_arrays.h"
+#include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/mesh/surface_arrays.h"
 
 namespace vcg_ext
 {

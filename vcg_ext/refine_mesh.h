@@ -8,10 +8,10 @@
 
 #include <vcg/complex/complex.h>
 
-#include "mesh_arrays.h"
-#include "nearest_vertices.h"
-#include "refinement.h"
-#include "surface_builder.h"
+#include "vcg_ext/mesh_arrays.h"
+#include "vcg_ext/nearest_vertices.h"
+#include "vcg_ext/core/refine/refine.h"
+#include "vcg_ext/core/mesh/surface_builder.h"
 
 namespace vcg_ext
 {

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "vcg_ext/sweep_decimation.h"
+#include "vcg_ext/core/collapse/engine.h"
 
 namespace
 {

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <vcg/complex/complex.h>
+#include <vcg/complex/allocate.h>
+#include <vcg/complex/algorithms/update/topology.h>
+
+#include "vcg_ext/core/mesh/decimation_types.h"
+
+namespace vcg_ext
+{
+
+namespace decimation_detail
+{
+
+/// An edge keeps its faux flag (diagonal of a polygon) only where both of its faces still carry it.
+template <class Mesh>
+void ClearHalfFauxEdges(Mesh& mesh)
+{
+    std::vector<std::uint64_t> faux;
+    const auto key = [&](const typename Mesh::FaceType& face, int k) {
+        const std::uint64_t a = vcg::tri::Index(mesh, face.cV0(k)), b = vcg::tri::Index(mesh, face.cV1(k));
+        return std::min(a, b) << 32 | std::max(a, b);
+    };
+    for (const auto& face : mesh.face)
+        for (int k = 0; k < 3; ++k)
+            if (!face.IsD() && face.IsF(k)) faux.push_back(key(face, k));
+    if (faux.empty()) return;
+    std::sort(faux.begin(), faux.end());
+    for (auto& face : mesh.face) {
+        for (int k = 0; k < 3; ++k) {
+            if (face.IsD() || !face.IsF(k)) continue;
+            const auto [first, last] = std::equal_range(faux.begin(), faux.end(), key(face, k));
+            if (last - first != 2) face.ClearF(k);
+        }
+    }
+}
+
+/// Adjacency pointers would be remapped through deleted elements: dropped before, built again after.
+template <class Mesh>
+void ForgetAdjacency(Mesh& mesh)
+{
+    if (vcg::tri::HasVFAdjacency(mesh)) {
+        for (auto& vertex : mesh.vert) vertex.VFClear();
+        for (auto& face : mesh.face)
+            for (int k = 0; k < 3; ++k) face.VFClear(k);
+    }
+    if (vcg::tri::HasFFAdjacency(mesh)) {
+        for (auto& face : mesh.face) {
+            for (int k = 0; k < 3; ++k) {
+                face.FFp(k) = nullptr;
+                face.FFi(k) = 0;
+            }
+        }
+    }
+}
+
+} // namespace decimation_detail
+
+/// Puts a result into the mesh it was made from: survivors keep their attributes, flags and selection,
+/// everything else that was on a face goes; the mesh is compact afterwards and adjacency is rebuilt where
+/// the mesh has it. Normals and the box are the caller's.
+/// \pre mesh has not changed since Decimate
+template <class Mesh>
+void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result)
+{
+    using Coord = typename Mesh::CoordType;
+    using Scalar = typename Mesh::ScalarType;
+    using Allocator = vcg::tri::Allocator<Mesh>;
+    std::vector<std::uint32_t> live; // index in mesh.face of every face of the view
+    std::vector<bool> wasUsed(mesh.vert.size()), staysUsed(mesh.vert.size());
+    for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+        if (mesh.face[f].IsD()) continue;
+        live.push_back(static_cast<std::uint32_t>(f));
+        for (int k = 0; k < 3; ++k) wasUsed[vcg::tri::Index(mesh, mesh.face[f].cV(k))] = true;
+    }
+    decimation_detail::ForgetAdjacency(mesh);
+    for (std::size_t v = 0; v < result.positions.size(); ++v) {
+        const auto& p = result.positions[v];
+        mesh.vert[result.vertexOrigin[v]].P() =
+            Coord(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]));
+        staysUsed[result.vertexOrigin[v]] = true;
+    }
+    std::size_t next = 0;
+    for (std::size_t f = 0; f < live.size(); ++f) {
+        auto& face = mesh.face[live[f]];
+        if (next == result.faceOrigin.size() || result.faceOrigin[next] != f) {
+            Allocator::DeleteFace(mesh, face);
+            continue;
+        }
+        bool changed = false;
+        for (int k = 0; k < 3; ++k) {
+            auto* vertex =
+                &mesh.vert[result.vertexOrigin[result.triangles[next][static_cast<std::size_t>(k)]]];
+            changed |= face.V(k) != vertex;
+            face.V(k) = vertex;
+        }
+        if (changed)
+            for (int k = 0; k < 3; ++k) face.ClearF(k);
+        ++next;
+    }
+    for (std::size_t v = 0; v < wasUsed.size(); ++v)
+        if (wasUsed[v] && !staysUsed[v]) Allocator::DeleteVertex(mesh, mesh.vert[v]);
+    decimation_detail::ClearHalfFauxEdges(mesh);
+    Allocator::CompactEveryVector(mesh);
+    if (vcg::tri::HasFFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::FaceFace(mesh);
+    if (vcg::tri::HasVFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::VertexFace(mesh);
+}
+
+} // namespace vcg_ext

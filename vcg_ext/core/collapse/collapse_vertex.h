@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "vcg_ext/core/collapse/apply.h"
+#include "vcg_ext/core/collapse/edge_costs.h"
+#include "vcg_ext/core/collapse/legality.h"
+#include "vcg_ext/core/collapse/ring_trial.h"
+
+namespace vcg_ext::sweeps
+{
+
+/// What a sweep allows.
+struct SweepStep {
+    float threshold = 0;     ///< collapses of at most this cost
+    bool everything = false; ///< all keys are fresh: what is illegal now stays so until something collapses
+    /// The ends and the midpoint are tried as placements too, and triangular holes may close.
+    bool lastResort = false;
+
+    /// Key of what should be looked at in the next sweep again.
+    float RetryKey() const { return threshold * 1.0001f; }
+};
+
+enum class VisitResult {
+    Collapsed,
+    Refused,
+    PutOff ///< the stars leave the range of vertices that may be touched
+};
+
+/// Looks at one vertex after another on behalf of one thread.
+class VertexVisitor
+{
+    struct Attempt {
+        bool outside = false;
+        float cost = kRefusedKey; ///< of the edge with everything that is known now
+        Vector3<float> placement{};
+        bool atRemoved = false; ///< the placement is where the vertex that was to go is: that one stays
+    };
+
+    SweepState& state_;
+    Workspace& workspace_;
+    CollapseWriter writer_;
+    std::size_t died_ = 0;
+
+  public:
+    VertexVisitor(SweepState& state, Workspace& workspace, std::uint32_t& poolEnd)
+        : state_(state), workspace_(workspace), writer_(state, workspace, poolEnd)
+    {
+    }
+
+    /// Faces that died in all visits.
+    std::size_t Died() const { return died_; }
+
+    /// Merges \p v with a neighbour if that costs at most the threshold; otherwise its key becomes the lowest
+    /// cost found. Writes only to vertices of \p range and to faces of which all vertices are in it.
+    VisitResult Visit(std::uint32_t v, const VertexRange& range, const SweepStep& step)
+    {
+        NeighbourScratch& neighbours = workspace_.neighbours;
+        if (!CollectNeighbours(state_, v, range, neighbours)) return VisitResult::PutOff;
+        if (neighbours.size == 0) {
+            state_.key[v] = kNoKey;
+            return VisitResult::Refused;
+        }
+        EvaluateEdges(state_, v, neighbours);
+        float lowest = kRefusedKey;
+        for (;;) {
+            const std::uint32_t best = CheapestNeighbour(step.threshold);
+            if (best == neighbours.size) break;
+            const std::uint32_t w = neighbours.vertex[best];
+            const bool into = state_.Has(w, kFixedVertex);
+            const std::uint32_t removed = into ? v : w, survivor = into ? w : v;
+            const Attempt attempt = Try(removed, survivor, best, range, step);
+            if (attempt.outside) return VisitResult::PutOff;
+            if (attempt.cost <= step.threshold) {
+                if (attempt.atRemoved)
+                    Merge(survivor, removed, attempt.placement, step);
+                else
+                    Merge(removed, survivor, attempt.placement, step);
+                return VisitResult::Collapsed;
+            }
+            lowest = std::min(lowest, attempt.cost);
+            neighbours.cost[best] = kNoKey;
+        }
+        for (std::uint32_t i = 0; i < neighbours.size; ++i) lowest = std::min(lowest, neighbours.cost[i]);
+        state_.key[v] = lowest;
+        return VisitResult::Refused;
+    }
+
+  private:
+    /// The cheapest neighbour within the threshold that has not merged in this sweep; size if there is none.
+    std::uint32_t CheapestNeighbour(float threshold) const
+    {
+        const NeighbourScratch& neighbours = workspace_.neighbours;
+        std::uint32_t best = neighbours.size;
+        float cheapest = threshold;
+        for (std::uint32_t i = 0; i < neighbours.size; ++i) {
+            if (!(neighbours.cost[i] <= cheapest) || state_.Has(neighbours.vertex[i], kMergedVertex))
+                continue;
+            cheapest = neighbours.cost[i];
+            best = i;
+        }
+        return best;
+    }
+
+    Attempt Try(std::uint32_t removed, std::uint32_t survivor, std::uint32_t neighbour,
+                const VertexRange& range, const SweepStep& step)
+    {
+        const NeighbourScratch& neighbours = workspace_.neighbours;
+        Attempt attempt;
+        StarScratch& star = workspace_.star;
+        attempt.outside = !GatherStars(state_, removed, survivor, range, star);
+        if (attempt.outside) return attempt;
+        attempt.cost = neighbours.cost[neighbour];
+        if (!CollapseGuard(state_, star, removed, survivor, step.lastResort).Allows()) {
+            attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
+            return attempt;
+        }
+        const bool fixed = state_.Has(survivor, kFixedVertex);
+        if (!fixed && StaysAtAnEnd(removed, survivor, attempt)) return attempt;
+        if (fixed)
+            attempt.placement = state_.Position(survivor);
+        else
+            PlaceWithVolume(removed, survivor, attempt);
+        if (attempt.cost > step.threshold) return attempt;
+        if (const std::optional<float> penalty = EvaluateRing(state_, attempt.placement, star)) {
+            attempt.cost *= *penalty;
+            return attempt;
+        }
+        attempt.cost = kRefusedKey;
+        if (step.lastResort && !fixed) TryOtherPlacements(removed, survivor, step, attempt);
+        return attempt;
+    }
+
+    void PlaceWithVolume(std::uint32_t removed, std::uint32_t survivor, Attempt& attempt) const
+    {
+        const EdgeEnd<float> a = state_.vertices[removed].End();
+        const EdgeEnd<float> b = state_.vertices[survivor].End();
+        const Vector3<float> half = HalfEdgeVector(a, b);
+        const Vector3<float> offset = VolumeAwareOffset(a, b, half, AreasOf(state_, workspace_.star));
+        attempt.placement = offset + half + a.position;
+        attempt.cost = EdgeCost(a, b, half, offset);
+    }
+
+    /// Where the surface around the edge is flat, or a straight crease, the end that costs less is the
+    /// placement, if the ring allows it. That keeps its coordinates to the last bit: a computed place lies in
+    /// no plane of the ring but for rounding, which tilts all faces around it, and again in every collapse
+    /// that follows.
+    bool StaysAtAnEnd(std::uint32_t removed, std::uint32_t survivor, Attempt& attempt)
+    {
+        const EdgeEnd<float> a = state_.vertices[removed].End();
+        const EdgeEnd<float> b = state_.vertices[survivor].End();
+        const float rounding = RoundingCost(a, b);
+        if (attempt.cost > rounding) return false;
+        const Vector3<float> half = HalfEdgeVector(a, b);
+        const float costA = EdgeCost(a, b, half, -1.0f * half), costB = EdgeCost(a, b, half, half);
+        const float cost = std::min(costA, costB);
+        if (cost > rounding) return false;
+        const Vector3<float> placement = costA < costB ? a.position : b.position;
+        const std::optional<float> penalty = EvaluateRing(state_, placement, workspace_.star);
+        if (!penalty || cost * *penalty > rounding) return false;
+        attempt.placement = placement;
+        attempt.cost = cost * *penalty;
+        attempt.atRemoved = costA < costB;
+        return true;
+    }
+
+    void TryOtherPlacements(std::uint32_t removed, std::uint32_t survivor, const SweepStep& step,
+                            Attempt& attempt)
+    {
+        const EdgeEnd<float> a = state_.vertices[removed].End();
+        const EdgeEnd<float> b = state_.vertices[survivor].End();
+        const Vector3<float> half = HalfEdgeVector(a, b);
+        const Vector3<float> offsets[] = {{0, 0, 0}, half, -1.0f * half};
+        for (const Vector3<float>& offset : offsets) {
+            const Vector3<float> placement = offset + half + a.position;
+            const std::optional<float> penalty = EvaluateRing(state_, placement, workspace_.star);
+            if (!penalty) continue;
+            attempt.placement = placement;
+            attempt.cost = EdgeCost(a, b, half, offset) * *penalty;
+            if (attempt.cost <= step.threshold) return;
+        }
+    }
+
+    void Merge(std::uint32_t removed, std::uint32_t survivor, const Vector3<float>& placement,
+               const SweepStep& step)
+    {
+        died_ += writer_.Collapse(removed, survivor, placement);
+        state_.flags[survivor] = static_cast<std::uint8_t>(state_.flags[survivor] | kMergedVertex);
+        if (state_.cornerCount[survivor] > 0) state_.key[survivor] = step.RetryKey();
+    }
+};
+
+} // namespace vcg_ext::sweeps

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/collapse/sweep.h"
+
+namespace vcg_ext::sweeps
+{
+
+/// Chooses the threshold of every sweep and decides when there is nothing left to do.
+class SweepSchedule
+{
+    static constexpr float kLowestThreshold = 1e-30f;
+    static constexpr double kHighestStart =
+        0.9; ///< quantile of the lowest costs that the first sweep reaches
+    static constexpr std::uint32_t kCostSamples = 4000;
+    static constexpr std::uint32_t kKeySamples = 4000;
+    static constexpr double kFewestCandidates = 0.1; ///< part of the vertices that every sweep should reach
+    static constexpr double kDeepReduction = 0.7; ///< with more faces to go, errors of rounding's size drown
+    static constexpr float kRatio = 3;            ///< from one threshold to the next
+    static constexpr double kMiddle = 2.3;        ///< times the target: the steps become half as large
+    static constexpr float kMiddleRatio = 1.7320508f;
+    static constexpr double kNear = 1.3; ///< times the target: small steps, so that the last are well chosen
+    static constexpr float kNearRatio = 1.19f;
+    static constexpr double kLast = 1.05; ///< times the target: the last sweep ends by index, not by cost
+    static constexpr float kLastRatio = 1.09f;
+    static constexpr double kSlow = 1.0 / 400; ///< part of the faces below which a sweep was not worth it
+    static constexpr float kSlowRatio = 2;
+
+    SweepState& state_;
+    SweepRunner runner_;
+    int threads_;
+
+  public:
+    SweepSchedule(SweepState& state, int threads) : state_(state), runner_(state, threads), threads_(threads)
+    {
+    }
+
+    /// Collapses until at most \p target faces are left. \param report called between sweeps with the part of
+    /// the way that is done, in [0, 1]; false stops the run
+    template <class Report>
+    StopReason Run(std::size_t target, const Report& report)
+    {
+        const std::size_t start = state_.aliveFaces;
+        SweepStep step;
+        if (start > target) step.threshold = FirstThreshold(target);
+        while (state_.aliveFaces > target) {
+            const auto way =
+                static_cast<double>(start - state_.aliveFaces) / static_cast<double>(start - target);
+            if (!report(way)) return StopReason::Cancelled;
+            const std::size_t died = runner_.Sweep(step, target);
+            if (died > 0)
+                step = NextStep(step, died, target);
+            else if (!NextIdleStep(step, target))
+                return StopReason::NoLegalCollapse;
+        }
+        return StopReason::Target;
+    }
+
+  private:
+    SweepStep NextStep(const SweepStep& step, std::size_t died, std::size_t target)
+    {
+        if (!step.lastResort) return {NextThreshold(step.threshold, died, target), false, false};
+        ForgetKeys(); // the knot is cut: cheap collapses may have become legal
+        return {FirstThreshold(target), false, false};
+    }
+
+    /// What to do after a sweep without a collapse: first look at everything again, as a collapse may have
+    /// made another one cheaper or legal; then raise the threshold, to the lowest cost at least; at last try
+    /// other placements. \return false if all that was tried
+    bool NextIdleStep(SweepStep& step, std::size_t target)
+    {
+        if (step.everything) {
+            const float lowest = LowestKey();
+            const bool refused = lowest > kHighestThreshold;
+            if (refused && step.lastResort) return false;
+            if (refused) {
+                step.lastResort = true;
+                step.threshold =
+                    FirstThreshold(target); // what becomes legal comes in the order of its cost too
+            } else {
+                step.threshold = std::min(std::max(lowest, step.threshold * kRatio), kHighestThreshold);
+            }
+        }
+        step.everything = true;
+        ForgetKeys();
+        return true;
+    }
+
+    /// The quantile of the vertices' lowest costs, from an even sample, that leaves the target for later
+    /// sweeps to reach.
+    float FirstThreshold(std::size_t target) const
+    {
+        Workspace workspace;
+        std::vector<float> lowest;
+        const std::uint32_t count = state_.VertexCount();
+        const std::uint32_t step = std::max(1u, count / kCostSamples);
+        for (std::uint32_t v = step / 2; v < count; v += step) {
+            if (state_.cornerCount[v] == 0) continue;
+            CollectNeighbours(state_, v, {0, count}, workspace.neighbours);
+            EvaluateEdges(state_, v, workspace.neighbours);
+            const float* cost = workspace.neighbours.cost.data();
+            lowest.push_back(*std::min_element(cost, cost + workspace.neighbours.size));
+        }
+        const double part = 1 - static_cast<double>(target) / static_cast<double>(state_.aliveFaces);
+        const double quantile = std::clamp(part, 0.0, kHighestStart);
+        const float floor = part > kDeepReduction ? LowestUsefulThreshold() : kLowestThreshold;
+        return std::clamp(Quantile(std::move(lowest), quantile), floor, kHighestThreshold);
+    }
+
+    static float Quantile(std::vector<float> values, double part)
+    {
+        if (values.empty()) return 0;
+        const auto place = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), values.begin() + place, values.end());
+        return values[static_cast<std::size_t>(place)];
+    }
+
+    /// Costs of a distance that the frame's floats can hardly tell from none, over a star of average area.
+    /// What is cheaper differs by rounding only.
+    float LowestUsefulThreshold() const
+    {
+        double area = 0;
+        std::size_t samples = 0;
+        const std::size_t step = std::max<std::size_t>(1, state_.faces.size() / kCostSamples);
+        for (std::size_t f = 0; f < state_.faces.size(); f += step) {
+            const Vector3<float> m = state_.faces[f].Normal();
+            if (!state_.faces[f].Alive()) continue;
+            area += static_cast<double>(Dot(m, m));
+            ++samples;
+        }
+        const double starArea = samples > 0 ? 12 * area / static_cast<double>(samples) : 0;
+        return std::max(kLowestThreshold, static_cast<float>(starArea * kNoDistance * kNoDistance));
+    }
+
+    /// A multiple of the last threshold, and more where that would reach hardly anybody.
+    float NextThreshold(float threshold, std::size_t died, std::size_t target) const
+    {
+        const double need = static_cast<double>(state_.aliveFaces) / static_cast<double>(target);
+        float ratio = need < kNear ? kNearRatio : need < kMiddle ? kMiddleRatio : kRatio;
+        if (need < kLast)
+            ratio = kLastRatio;
+        else if (static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces))
+            ratio = std::max(ratio, kSlowRatio);
+        const double part = std::min(kFewestCandidates, 0.5 * std::max(0.0, 1 - 1 / need));
+        return std::min(std::max(threshold * ratio, KeyQuantile(part)), kHighestThreshold);
+    }
+
+    /// The quantile of the live vertices' keys, from an even sample.
+    float KeyQuantile(double part) const
+    {
+        std::vector<float> keys;
+        const std::uint32_t step = std::max(1u, state_.VertexCount() / kKeySamples);
+        for (std::uint32_t v = 0; v < state_.VertexCount(); v += step)
+            if (state_.cornerCount[v] > 0) keys.push_back(state_.key[v]);
+        return Quantile(std::move(keys), part);
+    }
+
+    void ForgetKeys()
+    {
+        for (std::uint32_t v = 0; v < state_.VertexCount(); ++v)
+            if (state_.cornerCount[v] > 0) state_.key[v] = 0;
+    }
+
+    float LowestKey() const
+    {
+        float lowest = kRefusedKey;
+        for (std::uint32_t v = 0; v < state_.VertexCount(); ++v)
+            if (state_.cornerCount[v] > 0) lowest = std::min(lowest, state_.key[v]);
+        return lowest;
+    }
+};
+
+} // namespace vcg_ext::sweeps

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/collapse/cost.h"
+#include "vcg_ext/core/collapse/arena.h"
+
+namespace vcg_ext::sweeps
+{
+
+/// The neighbours of the vertex that is looked at, and what merging with each of them would cost. Grows to
+/// any valence; arrays are padded so that whole vectors may be written.
+struct NeighbourScratch {
+    static constexpr std::size_t kPadding = 8;
+    Buffer<std::uint32_t> vertex;
+    Buffer<float> cost;
+    std::uint32_t size = 0;
+
+    void Reserve(std::size_t wanted)
+    {
+        if (wanted + kPadding <= vertex.size()) return;
+        const std::size_t room = std::max<std::size_t>(64, 2 * wanted + kPadding);
+        vertex.Allocate(room);
+        cost.Allocate(room);
+    }
+};
+
+/// The change of one face's m m^T, as it is added to the star quadrics of its other two vertices.
+struct alignas(16) StarChange {
+    float value[8]; ///< xx xy xz yy yz zz 0 0
+};
+struct alignas(16) NewNormal {
+    float value[4]; ///< m and a zero
+};
+
+/// Both stars of an edge that is tried: the faces that stay, first those of the vertex that would go, and the
+/// faces that would die. The ring kernel adds what a collapse then writes.
+struct StarScratch {
+    Buffer<std::uint32_t> next, previous; ///< of each kept corner
+    Buffer<Corner> corner;
+    Buffer<NewNormal> normal;
+    Buffer<StarChange> change;
+    Buffer<std::uint32_t> deadFace, wing; ///< wing: the vertex of the dead face that is not on the edge
+    Buffer<std::uint32_t> sorted;         ///< room for the guard
+    std::uint32_t kept = 0, keptOfRemoved = 0, dead = 0;
+    StarSums<float> sums; ///< over the kept faces with the new vertex
+
+    void Reserve(std::size_t wanted)
+    {
+        if (wanted + kLanes <= next.size()) return;
+        const std::size_t room = std::max<std::size_t>(128, 2 * wanted + kLanes);
+        for (Buffer<std::uint32_t>* values : {&next, &previous, &corner, &deadFace, &wing})
+            values->Allocate(room);
+        normal.Allocate(room);
+        change.Allocate(room);
+        sorted.Allocate(4 * room);
+    }
+};
+
+/// What one thread needs to itself.
+struct Workspace {
+    NeighbourScratch neighbours;
+    StarScratch star;
+    CornerArena arena;
+};
+
+} // namespace vcg_ext::sweeps

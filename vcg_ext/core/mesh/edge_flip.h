@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/mesh/surface_corners.h"
+
+namespace vcg_ext
+{
+
+/// Faces that a vertex may gain by flips: the room to make for them.
+constexpr std::uint32_t kFlipRoom = 3;
+
+/// An edge a b with the faces (a, b, c) and (b, a, d); the flip makes them (a, d, c) and (b, c, d).
+struct FlippableEdge {
+    Corner atA, atB; ///< of a in the first face, of b in the second
+    std::uint32_t a, b, c, d;
+
+    std::uint32_t First() const { return FaceOf(atA); }
+    std::uint32_t Second() const { return FaceOf(atB); }
+};
+
+inline bool AreNeighbours(const SurfaceArrays& surface, std::uint32_t v, std::uint32_t w)
+{
+    if (surface.cornerCount[v] > surface.cornerCount[w]) std::swap(v, w);
+    return std::any_of(BeginCorners(surface, v), EndCorners(surface, v),
+                       [&](Corner c) { return HasVertex(surface.triangles[FaceOf(c)], w); });
+}
+
+/// The edge between \p v and \p w, if it has exactly two faces of opposite direction with different third
+/// corners, and may go: an edge between fixed vertices stays, and with it every face that has no other
+/// corners. That c and d are not neighbours is left to the caller.
+inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
+                                                      std::uint32_t w)
+{
+    constexpr std::uint32_t kFewestFaces = 3; // around a vertex that has lost one
+    constexpr int kBefore[3] = {2, 0, 1};
+    if (surface.flags[v] & surface.flags[w] & kFixedVertex) return std::nullopt;
+    if (surface.cornerCount[v] > surface.cornerCount[w]) std::swap(v, w);
+    int leaving = 0, arriving = 0;
+    Corner out = 0, in = 0;
+    for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c) {
+        if (NextVertex(surface, *c) == w) {
+            out = *c;
+            ++leaving;
+        }
+        if (PreviousVertex(surface, *c) == w) {
+            in = *c;
+            ++arriving;
+        }
+    }
+    if (leaving != 1 || arriving != 1) return std::nullopt;
+    const FlippableEdge edge{out,
+                             MakeCorner(FaceOf(in), kBefore[IndexOf(in)]),
+                             v,
+                             w,
+                             PreviousVertex(surface, out),
+                             NextVertex(surface, in)};
+    const auto full = [&](std::uint32_t u) { return surface.cornerCount[u] >= CornerCapacity(surface, u); };
+    const bool may = edge.c != edge.d && surface.cornerCount[v] > kFewestFaces &&
+                     surface.cornerCount[w] > kFewestFaces && !full(edge.c) && !full(edge.d);
+    return may ? std::optional(edge) : std::nullopt;
+}
+
+/// \pre the edge is as FindFlippableEdge found it, and c and d are not neighbours
+inline void FlipEdge(SurfaceArrays& surface, const FlippableEdge& edge)
+{
+    const Corner atB = MakeCorner(edge.First(), (IndexOf(edge.atA) + 1) % 3);
+    const Corner atA = MakeCorner(edge.Second(), (IndexOf(edge.atB) + 1) % 3);
+    RemoveCorner(surface, edge.b, atB);
+    RemoveCorner(surface, edge.a, atA);
+    surface.triangles[edge.First()].v[IndexOf(atB)] = edge.d;
+    surface.triangles[edge.Second()].v[IndexOf(atA)] = edge.c;
+    AddCorner(surface, edge.d, atB);
+    AddCorner(surface, edge.c, atA);
+}
+
+} // namespace vcg_ext

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/face_tree_nodes.h"
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/base/morton.h"
+
+namespace vcg_ext
+{
+
+/// The faces of a mesh in a tree of boxes, for questions about the closest of them and where it looks.
+///
+/// Faces are put in an order in which neighbours in space follow each other; eight of them are a leaf, four
+/// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points
+/// and the box of its unit normals. Most leaves are never looked into, so they hold nothing of their own:
+/// their corners are gathered when one is. Queries may run on several threads.
+class FaceTree
+{
+    using FourTriangles = face_tree::FourTriangles;
+    using FourNodes = face_tree::FourNodes;
+    using Box = face_tree::Box;
+
+    static constexpr std::size_t kGrain = 4096;
+    static constexpr float kFar = face_tree::kFar;
+    /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, and
+    /// then either of them may be meant; or to faces that coincide, and then none is against.
+    static constexpr float kTie = 1.00002F;
+    /// A face looks against a direction where their cosine is below this: above, it may be rounding.
+    static constexpr float kAgainst = -1e-6F;
+
+    static constexpr std::size_t kFacesPerLeaf = 8;
+
+    const std::uint32_t* triangles_;
+    Buffer<SurfacePoint> points_;
+    Buffer<std::uint32_t> faces_; ///< of leaf 0, leaf 1, ...
+    std::vector<Buffer<FourNodes>>
+        levels_; ///< levels_[k][i] holds the nodes 4 i .. 4 i + 3 of the level below
+
+  public:
+    /// Squared distances below it are rounding, and say nothing about sides: two millionths of the diagonal.
+    static constexpr float kOnSurface2 = 4e-6F;
+
+    /// \param frame in which all queries are \param order the faces in a good order, if one is known
+    /// \pre at least one face; finite coordinates; the view's triangles outlive this object and do not change
+    FaceTree(const MeshView& view, const SurfaceFrame& frame, int threads,
+             const std::vector<std::uint32_t>& order = {})
+        : triangles_(view.triangles), points_(view.vertexCount),
+          faces_(order.empty() ? view.faceCount : order.size())
+    {
+        ParallelRanges(threads, view.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t v = begin; v < end; ++v) points_[v] = frame.ToFrame(view.Position(v), 0);
+        });
+        if (order.empty())
+            SortFaces(threads);
+        else
+            std::copy(order.begin(), order.end(), faces_.begin());
+        levels_.push_back(face_tree::LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
+            face_tree::LeafBoxes boxes;
+            ForEachFour(leaf, [&](const FourTriangles& faces) { boxes.Add(faces); });
+            return boxes.Boxes();
+        }));
+        while (levels_.back().size() > 1) {
+            const Buffer<FourNodes>& below = levels_.back();
+            auto above = face_tree::LevelAbove(
+                below.size(), threads, [&](std::size_t node) { return face_tree::BoxesOf(below[node]); });
+            levels_.push_back(std::move(above));
+        }
+    }
+
+    /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
+    /// unit vector? \param along2 squared distance to some face that does not, if one is known: that saves
+    /// most of the time
+    bool LooksAgainst(const Vector3& point, const Vector3& direction, float along2 = kFar) const
+    {
+        // Most often all faces around look along it. That is seen without finding the closest one: none that
+        // looks against it may be closer than some face that does not.
+        Sides sides{along2, kFar};
+        if (along2 < kFar) {
+            const auto someLookAgainst = [&](const FourNodes& nodes) {
+                return nodes.normals.LeastDots(direction) < Splat(kAgainst);
+            };
+            const auto near2 = [&] { return std::min(kFar, sides.along2 * kTie); };
+            Search(point, someLookAgainst, near2(), [&](const FourTriangles& faces) {
+                Closer(faces, point, direction, sides);
+                return near2();
+            });
+            if (!IsAgainst(sides)) return false;
+        }
+        const auto nearest2 = [&] { return std::min(kFar, std::min(sides.along2, sides.against2) * kTie); };
+        Search(point, AllNodes, nearest2(), [&](const FourTriangles& faces) {
+            Closer(faces, point, direction, sides);
+            return nearest2();
+        });
+        return IsAgainst(sides);
+    }
+
+    /// Squared distance to the nearest face that does not look against \p direction; the largest float where
+    /// all do.
+    float DistanceAlong2(const Vector3& point, const Vector3& direction) const
+    {
+        Sides sides;
+        const auto someLookAlong = [&](const FourNodes& nodes) {
+            return nodes.normals.GreatestDots(direction) >= Splat(kAgainst);
+        };
+        Search(point, someLookAlong, kFar, [&](const FourTriangles& faces) {
+            Closer(faces, point, direction, sides);
+            return sides.along2;
+        });
+        return sides.along2;
+    }
+
+    /// The point of the surface that is closest to \p point.
+    Vector3 Closest(const Vector3& point) const
+    {
+        float best2 = kFar;
+        Vector3 closest;
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+            const FourClosestPoints hits = ClosestOnTriangle(faces.Seen(point), faces.Prepared());
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if (!(hits.distance2[lane] < best2)) continue;
+                best2 = hits.distance2[lane];
+                const FourPoints& away = hits.difference;
+                closest = point - Vector3{away.x[lane], away.y[lane], away.z[lane]};
+            }
+            return best2;
+        });
+        return closest;
+    }
+
+    /// Squared distance to the surface.
+    float Distance2(const Vector3& point) const
+    {
+        float best2 = kFar;
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+            best2 =
+                std::min(best2, MinLane(ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2));
+            return best2;
+        });
+        return best2;
+    }
+
+    /// Calls visit(face, a, ab, ac) for the faces near the box from \p low to \p high, all that touch it
+    /// among them; a is the first corner, ab and ac lead to the others. In an order that depends on the mesh
+    /// only.
+    template <class Visit>
+    void ForEachNear(const Vector3& low, const Vector3& high, const Visit& visit) const
+    {
+        ForEachNear(levels_.size(), 0, {{low.x, low.y, low.z}, {high.x, high.y, high.z}}, visit);
+    }
+
+  private:
+    std::size_t LeafCount() const { return (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; }
+
+    /// In Morton order of their first corners.
+    void SortFaces(int threads)
+    {
+        constexpr double kHalf = kFrameDiagonal / 2;
+        constexpr int kBitsPerAxis = 7; // two passes of sorting; what shares a cell stays in the mesh's order
+        using Grid = sweeps::MortonGrid<kBitsPerAxis>;
+        const Grid grid({-kHalf, -kHalf, -kHalf}, {kHalf, kHalf, kHalf});
+        Buffer<sweeps::OrderedVertex> order(faces_.size());
+        ParallelRanges(threads, faces_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t f = begin; f < end; ++f) {
+                const SurfacePoint& p = points_[triangles_[3 * f]];
+                order[f] = {
+                    grid.Code({static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}),
+                    static_cast<std::uint32_t>(f)};
+            }
+        });
+        sweeps::SortByCode<Grid::kCodeBits>(order, threads);
+        for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i] = order[i].origin;
+    }
+
+    Float4 Corner(std::size_t face, std::size_t k) const
+    {
+        return LoadUnaligned(&points_[triangles_[3 * face + k]].x);
+    }
+    /// The faces of a leaf, the last one repeated to fill four.
+    template <class Visit>
+    void ForEachFour(std::size_t leaf, const Visit& visit) const
+    {
+        const std::size_t end = std::min(faces_.size(), (leaf + 1) * kFacesPerLeaf);
+        for (std::size_t first = leaf * kFacesPerLeaf; first < end; first += kLanes) {
+            Float4 a[kLanes], b[kLanes], c[kLanes];
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const std::size_t face = faces_[std::min(first + lane, end - 1)];
+                a[lane] = Corner(face, 0);
+                b[lane] = Corner(face, 1) - a[lane];
+                c[lane] = Corner(face, 2) - a[lane];
+            }
+            Transpose(a[0], a[1], a[2], a[3]);
+            Transpose(b[0], b[1], b[2], b[3]);
+            Transpose(c[0], c[1], c[2], c[3]);
+            visit(FourTriangles{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}});
+        }
+    }
+
+    /// Squared distances to the nearest faces found that look along a direction and against it.
+    struct Sides {
+        float along2 = kFar, against2 = kFar;
+    };
+    static bool IsAgainst(const Sides& sides)
+    {
+        return sides.along2 > kOnSurface2 && sides.against2 <= sides.along2 * kTie;
+    }
+    static void Closer(const FourTriangles& faces, const Vector3& point, const Vector3& direction,
+                       Sides& sides)
+    {
+        const PreparedTriangle<Float4> t = faces.Prepared();
+        const FourClosestPoints closest = ClosestOnTriangle(faces.Seen(point), t);
+        const Float4 distance2 = closest.distance2;
+        const Float4 cosine = direction.x * t.nx + direction.y * t.ny + direction.z * t.nz;
+        const Int4 against = cosine < Splat(kAgainst);
+        sides.along2 = std::min(sides.along2, MinLane(Select(against, Splat(kFar), distance2)));
+        // inside a face there is no edge to share: it has to be closer
+        const Float4 shared = Select(closest.inside, distance2 * (kTie * kTie), distance2);
+        sides.against2 = std::min(sides.against2, MinLane(Select(against, shared, Splat(kFar))));
+    }
+
+    static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
+
+    /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p
+    /// limit2, which the last call returned, as long as wanted(nodes) has its ancestors.
+    template <class Wanted, class Visit>
+    void Search(const Vector3& point, const Wanted& wanted, float limit2, const Visit& visit) const
+    {
+        struct Entry {
+            float distance2;
+            std::uint32_t node;
+            std::size_t level; ///< levels_[level - 1][node] has its children; 0: a leaf
+        };
+        constexpr std::size_t kDeepest = 16; // 4^16 leaves
+        std::array<Entry, 3 * kDeepest + 1> stack;
+        stack[0] = {0, 0, levels_.size()};
+        for (std::size_t size = 1; size > 0;) {
+            const Entry entry = stack[--size];
+            if (!(entry.distance2 <= limit2)) continue;
+            if (entry.level == 0) {
+                ForEachFour(entry.node, [&](const FourTriangles& faces) { limit2 = visit(faces); });
+                continue;
+            }
+            const FourNodes& nodes = levels_[entry.level - 1][entry.node];
+            const Float4 distance2 = nodes.points.Distances2(point);
+            const int visited = LaneBits((distance2 <= Splat(limit2)) & wanted(nodes));
+            const std::size_t first = size;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                if (!(visited >> lane & 1)) continue;
+                std::size_t at = size++;
+                for (; at > first && stack[at - 1].distance2 < distance2[lane]; --at)
+                    stack[at] = stack[at - 1];
+                stack[at] = {distance2[lane], kLanes * entry.node + static_cast<std::uint32_t>(lane),
+                             entry.level - 1};
+            }
+        }
+    }
+
+    /// \param level as Search's
+    template <class Visit>
+    void ForEachNear(std::size_t level, std::size_t node, const Box& box, const Visit& visit) const
+    {
+        if (level > 0) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane)
+                if (Overlap(box, levels_[level - 1][node].points.At(lane)))
+                    ForEachNear(level - 1, kLanes * node + lane, box, visit);
+            return;
+        }
+        const std::size_t end = std::min(faces_.size(), (node + 1) * kFacesPerLeaf);
+        for (std::size_t place = node * kFacesPerLeaf; place < end; ++place) {
+            const std::uint32_t face = faces_[place];
+            const Float4 a = Corner(face, 0), b = Corner(face, 1) - a, c = Corner(face, 2) - a;
+            const auto vector = [](Float4 p) { return Vector3{p[0], p[1], p[2]}; };
+            visit(face, vector(a), vector(b), vector(c));
+        }
+    }
+};
+
+} // namespace vcg_ext

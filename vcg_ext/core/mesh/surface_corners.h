@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/geometry/vector3.h"
+
+namespace vcg_ext
+{
+
+/// Walks over the corners of SurfaceArrays.
+inline const Corner* BeginCorners(const SurfaceArrays& surface, std::uint32_t v)
+{
+    return surface.corners.data() + surface.cornerOffset[v];
+}
+inline const Corner* EndCorners(const SurfaceArrays& surface, std::uint32_t v)
+{
+    return BeginCorners(surface, v) + surface.cornerCount[v];
+}
+/// Corners that the list of \p v has room for.
+inline std::uint32_t CornerCapacity(const SurfaceArrays& surface, std::uint32_t v)
+{
+    return surface.cornerOffset[v + 1] - surface.cornerOffset[v];
+}
+/// The vertex after that of \p corner in its face, and the one after that.
+inline std::uint32_t NextVertex(const SurfaceArrays& surface, Corner corner)
+{
+    constexpr int kNext[3] = {1, 2, 0};
+    return surface.triangles[FaceOf(corner)].v[kNext[IndexOf(corner)]];
+}
+inline std::uint32_t PreviousVertex(const SurfaceArrays& surface, Corner corner)
+{
+    constexpr int kPrevious[3] = {2, 0, 1};
+    return surface.triangles[FaceOf(corner)].v[kPrevious[IndexOf(corner)]];
+}
+inline bool HasVertex(const SurfaceTriangle& triangle, std::uint32_t v)
+{
+    return triangle.v[0] == v || triangle.v[1] == v || triangle.v[2] == v;
+}
+inline Vector3 PositionOf(const SurfaceArrays& surface, std::uint32_t v)
+{
+    const SurfacePoint& p = surface.points[v];
+    return {p.x, p.y, p.z};
+}
+inline Vector3 Centroid(const SurfaceArrays& surface, std::uint32_t f)
+{
+    const SurfaceTriangle& t = surface.triangles[f];
+    const Vector3 a = PositionOf(surface, t.v[0]);
+    return a + (1.0F / 3) * ((PositionOf(surface, t.v[1]) - a) + (PositionOf(surface, t.v[2]) - a));
+}
+/// Along the normal, as long as twice the area.
+inline Vector3 AreaVector(const SurfaceArrays& surface, std::uint32_t f)
+{
+    const SurfaceTriangle& t = surface.triangles[f];
+    const Vector3 a = PositionOf(surface, t.v[0]);
+    return Cross(PositionOf(surface, t.v[1]) - a, PositionOf(surface, t.v[2]) - a);
+}
+
+/// Takes \p corner out of the list of \p v. \pre it is in it
+inline void RemoveCorner(SurfaceArrays& surface, std::uint32_t v, Corner corner)
+{
+    Corner* list = surface.corners.data() + surface.cornerOffset[v];
+    const std::uint32_t last = --surface.cornerCount[v];
+    Corner* found = std::find(list, list + last, corner);
+    *found = list[last];
+}
+/// \pre the list of \p v has room
+inline void AddCorner(SurfaceArrays& surface, std::uint32_t v, Corner corner)
+{
+    surface.corners[surface.cornerOffset[v] + surface.cornerCount[v]++] = corner;
+}
+
+/// Copies the corner lists so that each has room for \p room corners more.
+inline void MakeRoomForCorners(SurfaceArrays& surface, std::uint32_t room)
+{
+    const std::size_t vertices = surface.VertexCount();
+    Buffer<std::uint32_t> offset(vertices + 1);
+    std::uint32_t end = 0;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        offset[v] = end;
+        end += surface.cornerCount[v] + room;
+    }
+    offset[vertices] = end;
+    Buffer<Corner> corners(end);
+    for (std::size_t v = 0; v < vertices; ++v)
+        std::copy_n(surface.corners.data() + surface.cornerOffset[v], surface.cornerCount[v],
+                    corners.data() + offset[v]);
+    surface.cornerOffset = std::move(offset);
+    surface.corners = std::move(corners);
+}
+
+} // namespace vcg_ext

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/refine/flip.h"
+#include "vcg_ext/core/refine/location.h"
+#include "vcg_ext/core/refine/move.h"
+#include "vcg_ext/core/refine/parameters.h"
+#include "vcg_ext/core/refine/blocks.h"
+#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/mesh/surface_builder.h"
+
+namespace vcg_ext
+{
+
+namespace refinement
+{
+
+/// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
+/// moves would gain nothing and make flat parts uneven.
+constexpr double kFlatTilt = 5e-4;
+
+/// Square root of the mean area of a face.
+inline double FaceSize(const SurfaceArrays& surface)
+{
+    double doubleArea = 0;
+    for (std::uint32_t f = 0; f < surface.FaceCount(); ++f)
+        doubleArea += static_cast<double>(Norm(AreaVector(surface, f)));
+    return std::sqrt(doubleArea / 2 / static_cast<double>(surface.FaceCount()));
+}
+
+inline Buffer<Place> NoHints(std::size_t size)
+{
+    Buffer<Place> hints(size);
+    std::fill(hints.begin(), hints.end(), kNone);
+    return hints;
+}
+
+/// One object of scratch per thread, and what each of them counted.
+template <class Tool>
+class PerThread
+{
+    struct alignas(64) Slot {
+        Tool tool;
+        std::size_t count = 0;
+        explicit Slot(State& state) : tool(state) {}
+    };
+    std::vector<Slot> slots_;
+
+  public:
+    PerThread(State& state, int threads)
+    {
+        slots_.reserve(static_cast<std::size_t>(threads));
+        for (int i = 0; i < threads; ++i) slots_.emplace_back(state);
+    }
+    Slot& operator[](int thread) { return slots_[static_cast<std::size_t>(thread)]; }
+    std::size_t Count() const
+    {
+        std::size_t sum = 0;
+        for (const Slot& slot : slots_) sum += slot.count;
+        return sum;
+    }
+};
+
+/// One pass of flips over all edges. Returns how many there were.
+inline std::size_t FlipEdges(State& state, int threads)
+{
+    PerThread<EdgeFlipper> flippers(state, threads);
+    const SurfaceArrays& surface = state.simplified;
+    const auto hasFaces = [&](std::uint32_t v) { return surface.cornerCount[v] > 0; };
+    TreatConnectivity(surface, state.parameters.blockVertices, threads, hasFaces,
+                      [&](std::uint32_t v, int thread) {
+                          auto& slot = flippers[thread];
+                          slot.count += slot.tool.FlipAround(v);
+                      });
+    return flippers.Count();
+}
+
+/// One pass of moves over all vertices that may move. Returns how many did.
+inline std::size_t MoveVertices(State& state, int threads)
+{
+    constexpr std::uint32_t kFewestFaces = 3;
+    PerThread<VertexMover> movers(state, threads);
+    const SurfaceArrays& surface = state.simplified;
+    const auto mayMove = [&](std::uint32_t v) {
+        return surface.cornerCount[v] >= kFewestFaces && !(surface.flags[v] & (kBorderVertex | kFixedVertex));
+    };
+    TreatStars(surface, state.parameters.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
+        auto& slot = movers[thread];
+        if (slot.tool.Move(v)) ++slot.count;
+    });
+    return movers.Count();
+}
+
+} // namespace refinement
+
+/// Moves the vertices and flips the edges of a simplified surface so that the weighted squared distance
+/// between it and the original falls, in both directions. Vertices, faces and their number stay.
+///
+/// No move or flip turns a face over, makes a degenerate or duplicate face or an edge with more than two
+/// faces, or lets the energy of its star rise. Border vertices, fixed vertices and edges between two fixed
+/// vertices stay. The bytes of the result do not depend on the number of threads.
+///
+/// \param original weights of the points: e^{2 l}, > 0
+/// \param simplified in the same frame; flags mark border and fixed vertices. Moved vertices get
+///        kMovedVertex. Corner lists are copied to get room for flips.
+/// \param root a vertex of \p simplified for each of \p original, where the search for the closest face
+///        begins: the vertex that it was collapsed to, or the nearest one; 0xFFFFFFFF for none
+/// \pre both surfaces' arrays are consistent, coordinates finite
+/// \throws std::bad_alloc; \p simplified is then still a valid surface
+inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& simplified,
+                               const Buffer<std::uint32_t>& root, const RefinementParameters& parameters = {})
+{
+    using namespace refinement;
+    RefinementReport report;
+    if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
+    const int threads = ResolveThreads(parameters.threads);
+    const auto cancelled = [&](int percent) {
+        report.cancelled = parameters.progress && !parameters.progress(percent, "Refinement");
+        return report.cancelled;
+    };
+    if (cancelled(0)) return report;
+    if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
+    State state{original,
+                simplified,
+                parameters,
+                AttachSamples(original, simplified, root, parameters),
+                NoHints(simplified.VertexCount()),
+                NoHints(3 * simplified.FaceCount()),
+                NoHints(simplified.FaceCount())};
+    report.samples = state.samples.samples.size();
+    const double meanSquare = MeanSquare(state.samples);
+    report.rmsBefore = report.rmsAfter = std::sqrt(meanSquare);
+    if (!(report.rmsBefore > kFlatTilt * FaceSize(simplified))) return report;
+    state.meanSquare = static_cast<float>(meanSquare);
+
+    if (parameters.flip && !cancelled(20)) report.flips = FlipEdges(state, threads);
+    for (int sweep = 0; sweep < parameters.moveSweeps && !report.cancelled; ++sweep) {
+        if (cancelled(40 + 60 * sweep / parameters.moveSweeps)) break;
+        const std::size_t moves = MoveVertices(state, threads);
+        report.moves += moves;
+        ++report.sweeps;
+        if (moves == 0) break;
+    }
+    report.rmsAfter = std::sqrt(MeanSquare(state.samples));
+    return report;
+}
+
+} // namespace vcg_ext

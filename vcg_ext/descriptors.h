@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <stdexcept>
+#include <vector>
+
+#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/curvature.h"
+#include "vcg_ext/core/descriptor/laplacian.h"
+#include "vcg_ext/mesh_arrays.h"
+#include "vcg_ext/core/descriptor/one_ring_descriptors.h"
+
+namespace vcg_ext
+{
+
+/// How much of a feature a vertex is: one number >= 0 a vertex, 0 in flat regions. Rows of kDescriptors.
+enum class Descriptor {
+    Laplacian,
+    NormalizedUmbrella,
+    MeanCurvature,
+    GaussianCurvature,
+    CurvatureEstimation
+};
+
+struct DescriptorRow {
+    Descriptor kind;
+    const char* id;
+    const char* name;
+    const char* help;
+    /// One value a vertex, 0 where it has no faces. \pre as OneRings
+    std::vector<double> (*compute)(const MeshView& mesh, int threads);
+};
+
+/// The magnitudes: a descriptor tells how much, not which way, the surface bends.
+inline std::vector<double> Absolute(std::vector<double> values)
+{
+    for (double& value : values) value = std::fabs(value);
+    return values;
+}
+
+/// Adding a descriptor means one function and one row; the enum is the index of the row.
+inline constexpr DescriptorRow kDescriptors[] = {
+    {Descriptor::Laplacian, "laplacian", "Laplacian",
+     "Length of the mean edge along the vertex normal, relative to the mean edge length (Eq. 5 of Zhang et "
+     "al. "
+     "2012); from 0 to 1, the same at every scale",
+     [](const MeshView& mesh, int threads) { return LaplacianDescriptor(mesh, threads); }},
+    {Descriptor::NormalizedUmbrella, "normalised_umbrella", "Normalised umbrella",
+     "The same with every edge brought to length 1, so that long edges do not outweigh short ones",
+     [](const MeshView& mesh, int threads) {
+         return OneRingDescriptor<NormalizedUmbrellaFold>(mesh, threads);
+     }},
+    {Descriptor::MeanCurvature, "mean_curvature", "Mean curvature",
+     "Magnitude of the mean curvature (Meyer et al. 2002, by VCG), in 1 / length; non-manifold edges count "
+     "as "
+     "borders",
+     [](const MeshView& mesh, int) { return Absolute(ComputeDiscreteCurvatures(mesh).mean); }},
+    {Descriptor::GaussianCurvature, "gaussian_curvature", "Gaussian curvature",
+     "Magnitude of the Gaussian curvature (Meyer et al. 2002, by VCG), in 1 / length squared; non-manifold "
+     "edges count as borders",
+     [](const MeshView& mesh, int) { return Absolute(ComputeDiscreteCurvatures(mesh).gaussian); }},
+    {Descriptor::CurvatureEstimation, "curvature_estimation", "Curvature estimation",
+     "Mean over the neighbours of |2 n.e| / |e|^2, in 1 / length; after Wang et al. 2011, whose paper was "
+     "not "
+     "at hand, so the formula is ours",
+     [](const MeshView& mesh, int threads) {
+         return OneRingDescriptor<CurvatureEstimationFold>(mesh, threads);
+     }},
+};
+
+/// One value a vertex, 0 where it has no faces. \param threads 0: all; the values do not depend on it
+/// \pre as OneRings
+inline std::vector<double> ComputeDescriptor(const MeshView& mesh, Descriptor kind, int threads = 1)
+{
+    return kDescriptors[static_cast<std::size_t>(kind)].compute(mesh, threads);
+}
+
+/// The same of any VCG triangle mesh, which stays as it is: one value for each element of mesh.vert, 0 for
+/// deleted ones. Needs no component beyond the coordinates; polygons' diagonals (faux edges) are respected.
+template <class Mesh>
+std::vector<double> ComputeDescriptor(const Mesh& mesh, Descriptor kind, int threads = 1)
+{
+    return ComputeDescriptor(MeshArrays<Mesh>(mesh).View(), kind, threads);
+}
+
+/// The descriptor scaled linearly to [0, 1], as Eq. 6 wants it: the smallest value becomes 0, the percentile
+/// \p top and everything above 1, since a single outlier as the top would flatten all others. Where all
+/// values are equal there is nothing to tell apart: they become 0.
+/// \param top (0, 100] \throws std::invalid_argument where \p top is outside, or a value is not finite
+inline std::vector<double> RescaledToUnit(std::vector<double> values, double top = 99.9)
+{
+    if (!(top > 0 && top <= 100))
+        throw std::invalid_argument("top = " + std::to_string(top) + " is outside (0, 100]");
+    const auto bad = std::count_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); });
+    if (bad > 0)
+        throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(values.size()) +
+                                    " descriptors are not finite");
+    if (values.empty()) return values;
+    std::vector<double> order = values;
+    const double low = *std::min_element(values.begin(), values.end());
+    const std::ptrdiff_t rank = std::lround(top / 100 * static_cast<double>(values.size() - 1));
+    std::nth_element(order.begin(), order.begin() + rank, order.end());
+    double high = order[static_cast<std::size_t>(rank)];
+    if (!(high > low)) high = *std::max_element(values.begin(), values.end()); // features rarer than the rest
+    const double scale = high > low ? 1 / (high - low) : 0;
+    for (double& value : values) value = std::min((value - low) * scale, 1.0);
+    return values;
+}
+
+} // namespace vcg_ext
