@@ -31,21 +31,21 @@ inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const Sur
 {
     const auto corner = [&](std::size_t k) {
         const SurfacePoint p = frame.ToFrame(mesh.positions[mesh.triangles[f][k]], 0);
-        return Vector3{p.x, p.y, p.z};
+        return Vector3<float>{p.x, p.y, p.z};
     };
-    const Vector3 a = corner(0);
+    const Vector3<float> a = corner(0);
     return {a, PrepareTriangle(corner(1) - a, corner(2) - a)};
 }
 
 /// A corner of the input face that \p face was, if that looks along it.
-inline std::optional<Vector3> PointBeside(const MeshView& original, std::size_t origin,
-                                          const SurfaceFrame& frame, const PlacedTriangle& face)
+inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::size_t origin,
+                                                 const SurfaceFrame& frame, const PlacedTriangle& face)
 {
     const auto corner = [&](std::size_t k) {
         const SurfacePoint p = frame.ToFrame(original.Position(original.triangles[3 * origin + k]), 0);
-        return Vector3{p.x, p.y, p.z};
+        return Vector3<float>{p.x, p.y, p.z};
     };
-    const Vector3 a = corner(0);
+    const Vector3<float> a = corner(0);
     if (!(Dot(Cross(corner(1) - a, corner(2) - a), NormalOf(face.shape)) > 0)) return std::nullopt;
     return a;
 }
