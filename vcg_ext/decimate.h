@@ -16,7 +16,10 @@
 #include <vcg/complex/complex.h>
 
 #include "vcg_ext/apply_decimation.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/descriptors.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/mesh/edge_counts.h"

@@ -40,7 +40,7 @@ struct Pair {
 Pair MakePair(const IndexedMesh& original, const IndexedMesh& simplified,
               const std::vector<std::uint8_t>& fixed = {})
 {
-    const vcg_ext::SurfaceFrame frame = vcg_ext::FrameOf(View(original));
+    const vcg_ext::Frame frame = vcg_ext::FrameOf(View(original));
     vcg_ext::MeshView view = View(simplified);
     if (!fixed.empty()) view.fixedVertices = fixed.data();
     Pair pair{vcg_ext::BuildSurfaceArrays(View(original), frame), vcg_ext::BuildSurfaceArrays(view, frame),

@@ -9,11 +9,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/refine/refine.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/core/collapse/load.h"
 #include "vcg_ext/core/collapse/schedule.h"
 #include "vcg_ext/core/collapse/initialize.h"

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/base/stable_scatter.h"
 #include "vcg_ext/core/collapse/arena.h"
 #include "vcg_ext/core/base/morton.h"
 #include "vcg_ext/core/collapse/state.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext::sweeps
 {

@@ -10,8 +10,7 @@
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/collapse/cost.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext::sweeps
 {

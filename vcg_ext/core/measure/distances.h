@@ -18,7 +18,8 @@
 #include <vcg/simplex/face/distance.h>
 #include <vcg/space/index/grid_static_ptr.h>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/base/parallel.h"
 
 namespace vcg_ext

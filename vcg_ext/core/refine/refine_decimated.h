@@ -9,11 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimated_view.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/descriptors.h"
 #include "vcg_ext/core/refine/refine.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
@@ -44,7 +45,7 @@ inline bool RefineDecimated(const MeshView& original, DecimatedMesh& mesh,
 {
     if (mesh.triangles.empty()) return true;
     const int threads = ResolveThreads(parameters.threads);
-    const SurfaceFrame frame = FrameOf(original);
+    const Frame frame = FrameOf(original);
     const auto weights = refine_detail::SampleWeights(original, threads);
     const SurfaceArrays before = BuildSurfaceArrays(original, frame, weights.data(), threads);
     std::vector<std::uint8_t> fixed;

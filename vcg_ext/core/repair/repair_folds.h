@@ -9,11 +9,13 @@
 #include <optional>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimated_view.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/core/repair/fold_repair.h"
 
 namespace vcg_ext
@@ -28,23 +30,19 @@ struct UnfoldingReport {
 namespace unfold_detail
 {
 
-inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const SurfaceFrame& frame)
+inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const Frame& frame)
 {
-    const auto corner = [&](std::size_t k) {
-        const SurfacePoint p = frame.ToFrame(mesh.positions[mesh.triangles[f][k]], 0);
-        return Vector3<float>{p.x, p.y, p.z};
-    };
+    const auto corner = [&](std::size_t k) { return frame.Into(mesh.positions[mesh.triangles[f][k]]); };
     const Vector3<float> a = corner(0);
     return {a, PrepareTriangle(corner(1) - a, corner(2) - a)};
 }
 
 /// A corner of the input face that \p face was, if that looks along it.
 inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::size_t origin,
-                                                 const SurfaceFrame& frame, const PlacedTriangle& face)
+                                                 const Frame& frame, const PlacedTriangle& face)
 {
     const auto corner = [&](std::size_t k) {
-        const SurfacePoint p = frame.ToFrame(original.Position(original.triangles[3 * origin + k]), 0);
-        return Vector3<float>{p.x, p.y, p.z};
+        return frame.Into(original.Position(original.triangles[3 * origin + k]));
     };
     const Vector3<float> a = corner(0);
     if (!(Dot(Cross(corner(1) - a, corner(2) - a), NormalOf(face.shape)) > 0)) return std::nullopt;
@@ -53,8 +51,7 @@ inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::
 
 /// In ascending order.
 inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const FaceTree& tree,
-                                              const DecimatedMesh& mesh, const SurfaceFrame& frame,
-                                              int threads)
+                                              const DecimatedMesh& mesh, const Frame& frame, int threads)
 {
     constexpr std::size_t kGrain = 1024;
     std::vector<std::vector<std::uint32_t>> parts(mesh.triangles.size() / kGrain + 1);
@@ -110,7 +107,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
     if (mesh.triangles.empty()) return report;
     std::vector<std::uint8_t> fixed;
     const MeshView simplified = ViewOf(mesh, original, fixed);
-    const SurfaceFrame frame = FrameOf(simplified);
+    const Frame frame = FrameOf(simplified);
     const FaceTree tree(original, frame, threads, mesh.inputOrder);
     std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
