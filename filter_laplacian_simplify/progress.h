@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/base/progress.h"
 
 namespace laplacian_simplify
 {

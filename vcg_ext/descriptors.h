@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/curvature.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/mesh_arrays.h"

@@ -13,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/parallel.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
 /// Meshes whose truth is known by formula, as plain arrays. Closed ones are oriented outwards, flat ones
 /// upwards (+z).

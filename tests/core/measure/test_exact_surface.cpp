@@ -20,13 +20,12 @@ namespace
 struct Searched {
     test_meshes::IndexedMesh mesh;
     MeshView view;
-    SurfaceFrame frame;
     FaceTree tree;
     ExactSurface surface;
 
     explicit Searched(test_meshes::IndexedMesh source)
-        : mesh(std::move(source)), view(test_meshes::View(mesh)), frame(FrameOf(view)), tree(view, frame, 1),
-          surface(view, tree, frame, RoundingOf(view, view, frame))
+        : mesh(std::move(source)), view(test_meshes::View(mesh)), tree(view, FrameOf(view), 1),
+          surface(view, tree, RoundingOf(view, view, tree.frame()))
     {
     }
     Searched(const Searched&) = delete;

@@ -40,7 +40,7 @@ struct Pair {
 Pair MakePair(const IndexedMesh& original, const IndexedMesh& simplified,
               const std::vector<std::uint8_t>& fixed = {})
 {
-    const vcg_ext::SurfaceFrame frame = vcg_ext::FrameOf(View(original));
+    const vcg_ext::Frame frame = vcg_ext::FrameOf(View(original));
     vcg_ext::MeshView view = View(simplified);
     if (!fixed.empty()) view.fixedVertices = fixed.data();
     Pair pair{vcg_ext::BuildSurfaceArrays(View(original), frame), vcg_ext::BuildSurfaceArrays(view, frame),
@@ -571,14 +571,15 @@ void TestRefinement::progressCanStopIt()
     Pair pair = MakePair(Icosphere(2), Noisy(Icosphere(1), 0.05));
     int last = -1;
     RefinementParameters parameters;
-    parameters.progress = [&](int percent, const char*) {
+    const auto before = pair.simplified.points[0].x;
+    parameters.progress = vcg_ext::StageProgress([&](int percent, const char*) {
         const bool ascending = percent > last && percent <= 100;
         last = percent;
         return ascending && percent < 40;
-    };
-    const RefinementReport report = Refine(pair, parameters);
-    QVERIFY(report.cancelled);
-    QCOMPARE(report.moves, std::size_t{0});
+    });
+    QVERIFY_EXCEPTION_THROWN(Refine(pair, parameters), vcg_ext::Cancelled);
+    QCOMPARE(last, 40); // before the first move
+    QCOMPARE(pair.simplified.points[0].x, before);
     QVERIFY(CornersAreConsistent(pair.simplified));
 }
 

@@ -78,15 +78,33 @@ IndexedMesh PlaneWithFold()
     return mesh;
 }
 
-std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
+vcg_ext::FoldRepairReport Repair(const vcg_ext::MeshView& original, DecimatedMesh& mesh,
+                                 vcg_ext::Boundary boundary, int threads, vcg_ext::Progress progress = {})
 {
-    return vcg_ext::UnfoldFaces(View(original), mesh, vcg_ext::Boundary::Lock, 1).before;
+    const auto tree = vcg_ext::TreeOf(original, mesh, {}, threads);
+    if (!tree) return {};
+    return vcg_ext::RepairFolds(original, *tree, mesh, boundary, threads,
+                                vcg_ext::StageProgress(std::move(progress)));
 }
 
-/// By the measurement of the report, which knows nothing of the tree. \pre the original has faces
+/// What the collapse and, unless the effort is fast, the refinement leave.
+DecimatedMesh Collapsed(const vcg_ext::MeshView& view, const vcg_ext::DecimationParameters& parameters)
+{
+    vcg_ext::PipelineStages stages;
+    stages.refine = parameters.effort != vcg_ext::Effort::Fast;
+    stages.repairFolds = false;
+    return vcg_ext::RunPipeline(view, parameters, stages, vcg_ext::SweepCollapse{parameters}).mesh;
+}
+
+std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
+{
+    return Repair(View(original), mesh, vcg_ext::Boundary::Lock, 1).before;
+}
+
+/// By the measurement of the report, in double precision. \pre the original has faces
 vcg_ext::DistanceReport Distances(const IndexedMesh& original, const DecimatedMesh& mesh)
 {
-    const std::vector<double> descriptor(original.points.size(), 0.0);
+    const std::vector<float> descriptor(original.points.size(), 0);
     return vcg_ext::MeasureDistances(View(original), mesh, descriptor, 20000, 1);
 }
 std::size_t MeasuredFolds(const IndexedMesh& original, const DecimatedMesh& mesh)
@@ -100,7 +118,7 @@ double Rms(const IndexedMesh& original, const DecimatedMesh& mesh)
 
 } // namespace
 
-class TestUnfold : public QObject
+class TestRepairFolds : public QObject
 {
     Q_OBJECT
 
@@ -166,7 +184,7 @@ class TestUnfold : public QObject
     {
         const IndexedMesh plane = Grid(8, 8);
         DecimatedMesh mesh = AsDecimated(PlaneWithFold());
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
+        const auto report = Repair(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, std::size_t{0});
         QCOMPARE(MeasuredFolds(plane, mesh), std::size_t{0});
@@ -189,7 +207,7 @@ class TestUnfold : public QObject
         IndexedMesh folded = plane;
         folded.points[4 + 4 * 9] = {5.1, 4.5, 0};
         DecimatedMesh mesh = AsDecimated(folded);
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
+        const auto report = Repair(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
         QCOMPARE(report.before, std::size_t{1});
         QCOMPARE(report.after, std::size_t{0});
         QCOMPARE(MeasuredFolds(plane, mesh), std::size_t{0});
@@ -205,7 +223,7 @@ class TestUnfold : public QObject
         auto view = View(plane);
         view.fixedVertices = fixed.data();
         DecimatedMesh mesh = folded;
-        const auto report = vcg_ext::UnfoldFaces(view, mesh, vcg_ext::Boundary::Lock, 1);
+        const auto report = Repair(view, mesh, vcg_ext::Boundary::Lock, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, std::size_t{0});
         for (std::size_t v = 0; v < fixed.size(); ++v)
@@ -224,7 +242,7 @@ class TestUnfold : public QObject
         auto view = View(plane);
         view.fixedVertices = fixed.data();
         DecimatedMesh mesh = folded;
-        const auto report = vcg_ext::UnfoldFaces(view, mesh, vcg_ext::Boundary::Free, 1);
+        const auto report = Repair(view, mesh, vcg_ext::Boundary::Free, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, report.before);
         QVERIFY(mesh.positions == folded.positions);
@@ -242,13 +260,13 @@ class TestUnfold : public QObject
             vcg_ext::DecimationParameters parameters;
             parameters.targetFaces = facets.triangles.size() / 10;
             parameters.threads = 2;
-            DecimatedMesh mesh = vcg_ext::DecimateSweeps(View(facets), parameters);
+            DecimatedMesh mesh = Collapsed(View(facets), parameters);
             int furthest = 0;
-            const auto report = vcg_ext::UnfoldFaces(View(facets), mesh, vcg_ext::Boundary::Lock, 2,
-                                                     [&](int percent, const char*) {
-                                                         furthest = std::max(furthest, percent);
-                                                         return true;
-                                                     });
+            const auto report =
+                Repair(View(facets), mesh, vcg_ext::Boundary::Lock, 2, [&](int percent, const char*) {
+                    furthest = std::max(furthest, percent);
+                    return true;
+                });
             QCOMPARE(report.after, std::size_t{0});
             QCOMPARE(furthest, 0);
             mended += report.before;
@@ -279,7 +297,7 @@ class TestUnfold : public QObject
         IndexedMesh above = plane;
         for (auto& p : above.points) p[2] += 0.2;
         DecimatedMesh mesh = AsDecimated(above);
-        const auto report = vcg_ext::UnfoldFaces(View(mixed), mesh, vcg_ext::Boundary::Free, 1);
+        const auto report = Repair(View(mixed), mesh, vcg_ext::Boundary::Free, 1);
         QVERIFY(report.before > 100);
         QVERIFY(mesh.positions == above.points);
     }
@@ -294,7 +312,7 @@ class TestUnfold : public QObject
         turned.points[0] = {2.4, 1.8, 0};
         for (const auto boundary : {vcg_ext::Boundary::Lock, vcg_ext::Boundary::Preserve}) {
             DecimatedMesh mesh = AsDecimated(turned);
-            const auto report = vcg_ext::UnfoldFaces(View(triangle), mesh, boundary, 1);
+            const auto report = Repair(View(triangle), mesh, boundary, 1);
             QCOMPARE(report.before, std::size_t{1});
             QCOMPARE(report.after, std::size_t{boundary == vcg_ext::Boundary::Lock ? 1U : 0U});
         }
@@ -305,7 +323,7 @@ class TestUnfold : public QObject
         const IndexedMesh sphere = Noisy(Icosphere(3), 0.002);
         const DecimatedMesh before = AsDecimated(sphere);
         DecimatedMesh mesh = before;
-        const auto report = vcg_ext::UnfoldFaces(View(sphere), mesh, vcg_ext::Boundary::Free, 1);
+        const auto report = Repair(View(sphere), mesh, vcg_ext::Boundary::Free, 1);
         QCOMPARE(report.before, std::size_t{0});
         QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
     }
@@ -319,12 +337,12 @@ class TestUnfold : public QObject
         parameters.targetFaces = 300;
         parameters.effort = vcg_ext::Effort::Fast;
         parameters.threads = 1;
-        const DecimatedMesh collapsed = vcg_ext::DecimateSweeps(View(shell), parameters);
+        const DecimatedMesh collapsed = Collapsed(View(shell), parameters);
         const std::size_t before = MeasuredFolds(shell, collapsed);
         QVERIFY(before > 20);
         for (const auto effort : {vcg_ext::Effort::Fast, vcg_ext::Effort::Balanced, vcg_ext::Effort::Best}) {
             parameters.effort = effort;
-            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
+            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters).mesh;
             QVERIFY(10 * MeasuredFolds(shell, mesh) <= before);
             QCOMPARE(mesh.triangles.size(), collapsed.triangles.size());
             // a quarter of the faces is mended, most of them for less than a tenth of the local error
@@ -341,10 +359,10 @@ class TestUnfold : public QObject
         parameters.effort = vcg_ext::Effort::Fast;
         std::optional<DecimatedMesh> first;
         parameters.threads = 1;
-        const DecimatedMesh folded = vcg_ext::DecimateSweeps(View(shell), parameters);
+        const DecimatedMesh folded = Collapsed(View(shell), parameters);
         for (const int threads : {1, 2, 3, 7}) {
             parameters.threads = threads;
-            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
+            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters).mesh;
             if (!first) first = mesh;
             QVERIFY(mesh.positions != folded.positions);
             QVERIFY(mesh.positions == first->positions);
@@ -358,13 +376,13 @@ class TestUnfold : public QObject
         const DecimatedMesh before = AsDecimated(PlaneWithFold());
         DecimatedMesh mesh = before;
         int calls = 0;
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Free, 1,
-                                                 [&](int, const char*) { return ++calls < 2; });
-        QVERIFY(report.cancelled);
+        QVERIFY_EXCEPTION_THROWN(Repair(View(plane), mesh, vcg_ext::Boundary::Free, 1,
+                                        [&](int, const char*) { return ++calls < 2; }),
+                                 vcg_ext::Cancelled);
         QCOMPARE(calls, 2);
         QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
     }
 };
 
-QTEST_APPLESS_MAIN(TestUnfold)
+QTEST_APPLESS_MAIN(TestRepairFolds)
 #include "test_repair_folds.moc"

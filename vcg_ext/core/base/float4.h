@@ -15,6 +15,10 @@
 #include <emmintrin.h>
 #endif
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi" // no call passes a Float8, as all of them are inlined
+#endif
+
 namespace vcg_ext
 {
 

@@ -21,8 +21,6 @@ namespace vcg_ext
 /// For the functions that work on Float8, and for them alone: they may be called where HasAvx2().
 #define VCG_EXT_FOR_AVX2 [[gnu::target("avx2"), gnu::flatten]]
 
-#pragma GCC diagnostic ignored "-Wpsabi" // no call passes a Float8, as all of them are inlined
-
 typedef float Float8 __attribute__((vector_size(32)));
 typedef std::int32_t Int8 __attribute__((vector_size(32)));
 typedef std::uint32_t Unsigned8 __attribute__((vector_size(32)));

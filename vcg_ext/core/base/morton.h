@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/base/stable_scatter.h"
+#include "vcg_ext/core/base/parallel.h"
 
 namespace vcg_ext::sweeps
 {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext::sweeps
 {

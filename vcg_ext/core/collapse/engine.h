@@ -15,9 +15,10 @@
 #include "vcg_ext/core/collapse/initialize.h"
 #include "vcg_ext/core/collapse/load.h"
 #include "vcg_ext/core/collapse/schedule.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
@@ -98,7 +99,7 @@ class CollapseEngine
         sweeps::SweepLoader(view, state_, threads_).Load();
         sweeps::SweepStarter(view, state_, threads_, parameters.boundary).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
-        surface_.frame = {state_.centre, 1 / state_.unit, state_.unit};
+        surface_.frame = state_.frame;
         if (kept.original) KeepOriginal();
         if (kept.descriptor && view.guidance == nullptr) KeepDescriptor(view.vertexCount);
         return state_;

@@ -11,6 +11,7 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/border_planes.h"
 #include "vcg_ext/core/collapse/state.h"
+#include "vcg_ext/core/parameters.h"
 
 namespace vcg_ext::sweeps
 {

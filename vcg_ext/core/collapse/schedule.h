@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/sweep.h"
+#include "vcg_ext/core/parameters.h"
 
 namespace vcg_ext::sweeps
 {

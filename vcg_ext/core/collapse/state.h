@@ -10,8 +10,8 @@
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/collapse/cost.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext::sweeps
 {
@@ -103,14 +103,13 @@ struct SweepState {
     Buffer<std::uint32_t> mergedInto;   ///< whom a vertex was merged into, itself if it was not; may be empty
     std::size_t aliveFaces = 0;
 
-    std::array<double, 3> centre{}; ///< of the box of the referenced vertices
-    double unit = 1;                ///< input length of 1 in the frame: diagonal / 1024
-    float descriptorScale = 1;      ///< 1 / the descriptor that counts as 1
-    float featureWeight = 0;        ///< lambda
-    bool ratchetRecomputes = true;  ///< the survivor's descriptor is measured again
-    bool bordersCount = true;       ///< planes perpendicular to open borders belong to the quadrics
-    bool keepOriginal = false;      ///< the input's lists are not overwritten
-    bool eightAtOnce = HasAvx2();   ///< the same bytes, in less time
+    Frame frame;                   ///< of the box of the referenced vertices
+    float descriptorScale = 1;     ///< 1 / the descriptor that counts as 1
+    float featureWeight = 0;       ///< lambda
+    bool ratchetRecomputes = true; ///< the survivor's descriptor is measured again
+    bool bordersCount = true;      ///< planes perpendicular to open borders belong to the quadrics
+    bool keepOriginal = false;     ///< the input's lists are not overwritten
+    bool eightAtOnce = HasAvx2();  ///< the same bytes, in less time
     bool anyFixed = false;
     bool preserveTopology = false;
 

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/descriptor/kmeans_1d.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 

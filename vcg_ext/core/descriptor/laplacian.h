@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/descriptor/one_ring_descriptors.h"
 #include "vcg_ext/core/base/parallel.h"

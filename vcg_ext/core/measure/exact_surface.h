@@ -11,15 +11,17 @@
 
 #include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/geometry/vector.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/face_tree.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
 
 /// The faces of a mesh for distances in double precision. Its tree, in single precision, says which faces may
-/// be the closest; those are then measured. Everything is in the frame. Queries may run on several threads.
+/// be the closest; those are then measured. Everything is in the frame of the tree. Queries may run on
+/// several threads.
 class ExactSurface
 {
     /// Faces that are measured before only those that are nearer than the nearest count: where hundreds
@@ -30,7 +32,6 @@ class ExactSurface
 
     const MeshView& view_;
     const FaceTree& tree_;
-    const SurfaceFrame& frame_;
     double slack_;
 
     /// \return the squared distance up to which the tree has to look, if the nearest face measured is at \p
@@ -54,10 +55,10 @@ class ExactSurface
     }
 
   public:
-    /// \param tree of the view's faces, in \p frame \param slack RoundingOf the two meshes that are compared
+    /// \param tree of the view's faces \param slack RoundingOf the two meshes that are compared
     /// \pre all outlive this object; at least one face
-    ExactSurface(const MeshView& view, const FaceTree& tree, const SurfaceFrame& frame, float slack)
-        : view_(view), tree_(tree), frame_(frame), slack_(static_cast<double>(slack))
+    ExactSurface(const MeshView& view, const FaceTree& tree, float slack)
+        : view_(view), tree_(tree), slack_(static_cast<double>(slack))
     {
     }
 
@@ -65,8 +66,9 @@ class ExactSurface
     Vector3<double> Vertex(std::size_t v) const
     {
         const std::array<double, 3> p = view_.Position(v);
-        return {(p[0] - frame_.center[0]) * frame_.scale, (p[1] - frame_.center[1]) * frame_.scale,
-                (p[2] - frame_.center[2]) * frame_.scale};
+        const Frame& frame = tree_.frame();
+        return {(p[0] - frame.center[0]) * frame.scale, (p[1] - frame.center[1]) * frame.scale,
+                (p[2] - frame.center[2]) * frame.scale};
     }
     Vector3<double> Corner(std::size_t f, std::size_t k) const { return Vertex(view_.triangles[3 * f + k]); }
     /// 2 area times the unit normal.
@@ -109,7 +111,7 @@ class ExactSurface
 
 /// How much single precision can be wrong, in the frame, about which face is the closest: 16 units in the
 /// last place of the largest coordinate of the vertices on faces.
-inline float RoundingOf(const MeshView& a, const MeshView& b, const SurfaceFrame& frame)
+inline float RoundingOf(const MeshView& a, const MeshView& b, const Frame& frame)
 {
     double largest = 0;
     for (const MeshView* view : {&a, &b})

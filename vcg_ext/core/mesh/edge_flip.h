@@ -8,8 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {

@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/face_tree_nodes.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/base/float4.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/base/morton.h"
 
 namespace vcg_ext
@@ -44,6 +45,7 @@ class FaceTree
     using FourFaces = std::array<std::uint32_t, kLanes>; ///< their indices
 
     const std::uint32_t* triangles_;
+    Frame frame_;
     Buffer<SurfacePoint> points_;
     Buffer<std::uint32_t> faces_; ///< of leaf 0, leaf 1, ...
     std::vector<Buffer<FourNodes>>
@@ -55,13 +57,16 @@ class FaceTree
 
     /// \param frame in which all queries are \param order the faces in a good order, if one is known
     /// \pre at least one face; finite coordinates; the view's triangles outlive this object and do not change
-    FaceTree(const MeshView& view, const SurfaceFrame& frame, int threads,
+    FaceTree(const MeshView& view, const Frame& frame, int threads,
              const std::vector<std::uint32_t>& order = {})
-        : triangles_(view.triangles), points_(view.vertexCount),
+        : triangles_(view.triangles), frame_(frame), points_(view.vertexCount),
           faces_(order.empty() ? view.faceCount : order.size())
     {
         ParallelRanges(threads, view.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t v = begin; v < end; ++v) points_[v] = frame.ToFrame(view.Position(v), 0);
+            for (std::size_t v = begin; v < end; ++v) {
+                const Vector3<float> p = frame.Into(view.Position(v));
+                points_[v] = {p.x, p.y, p.z, 0};
+            }
         });
         if (order.empty())
             SortFaces(threads);
@@ -79,6 +84,9 @@ class FaceTree
             levels_.push_back(std::move(above));
         }
     }
+
+    /// In which points and directions of the queries are.
+    const Frame& frame() const { return frame_; }
 
     /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
     /// unit vector? \param along2 squared distance to some face that does not, if one is known: that saves

@@ -16,8 +16,7 @@
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/star.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext::refinement
 {

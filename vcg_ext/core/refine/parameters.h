@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/base/progress.h"
 
 namespace vcg_ext
 {

@@ -16,8 +16,8 @@
 #include "vcg_ext/core/refine/move.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/blocks.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {

@@ -11,9 +11,7 @@
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/refine/parameters.h"
-#include "vcg_ext/core/base/stable_scatter.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext::refinement
 {

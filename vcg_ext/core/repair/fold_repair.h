@@ -14,9 +14,8 @@
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/repair/local_samples.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/core/mesh/edge_flip.h"
 
 namespace vcg_ext

@@ -9,11 +9,13 @@
 #include <optional>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimated_view.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/core/repair/fold_repair.h"
 
 namespace vcg_ext
@@ -24,26 +26,22 @@ struct FoldRepairReport {
     std::size_t before = 0, after = 0;
 };
 
-namespace unfold_detail
+namespace fold_repair_detail
 {
 
-inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const SurfaceFrame& frame)
+inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const Frame& frame)
 {
-    const auto corner = [&](std::size_t k) {
-        const SurfacePoint p = frame.ToFrame(mesh.positions[mesh.triangles[f][k]], 0);
-        return Vector3<float>{p.x, p.y, p.z};
-    };
+    const auto corner = [&](std::size_t k) { return frame.Into(mesh.positions[mesh.triangles[f][k]]); };
     const Vector3<float> a = corner(0);
     return {a, PrepareTriangle(corner(1) - a, corner(2) - a)};
 }
 
 /// A corner of the input face that \p face was, if that looks along it.
 inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::size_t origin,
-                                                 const SurfaceFrame& frame, const PlacedTriangle& face)
+                                                 const Frame& frame, const PlacedTriangle& face)
 {
     const auto corner = [&](std::size_t k) {
-        const SurfacePoint p = frame.ToFrame(original.Position(original.triangles[3 * origin + k]), 0);
-        return Vector3<float>{p.x, p.y, p.z};
+        return frame.Into(original.Position(original.triangles[3 * origin + k]));
     };
     const Vector3<float> a = corner(0);
     if (!(Dot(Cross(corner(1) - a, corner(2) - a), NormalOf(face.shape)) > 0)) return std::nullopt;
@@ -52,8 +50,7 @@ inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::
 
 /// In ascending order.
 inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const FaceTree& tree,
-                                              const DecimatedMesh& mesh, const SurfaceFrame& frame,
-                                              int threads)
+                                              const DecimatedMesh& mesh, const Frame& frame, int threads)
 {
     constexpr std::size_t kGrain = 1024;
     std::vector<std::vector<std::uint32_t>> parts(mesh.triangles.size() / kGrain + 1);
@@ -85,7 +82,7 @@ inline bool HasMixedOrientation(const MeshView& view)
     return static_cast<std::size_t>(edges.end() - last) > edges.size() / kMany;
 }
 
-} // namespace unfold_detail
+} // namespace fold_repair_detail
 
 /// Mends folded faces: those that look against the original where it is closest to their centroid. Slivers
 /// that a collapse turned over are such faces, and large ones that cut through a wall thinner than the error.
@@ -95,29 +92,26 @@ inline bool HasMixedOrientation(const MeshView& view)
 /// without doubling the local error stays folded. Vertices on borders that are not locked may move. Flips
 /// give faces other corners: what is stored per wedge does not follow. The bytes of the result do not depend
 /// on the number of threads. \param mesh a decimated \p original, changed in place; vertices that stay keep
-/// their bits \param threads 0: all
-/// \param faceOrder as CollapsedSurface's \throws Cancelled \pre finite coordinates
-inline FoldRepairReport RepairFolds(const MeshView& original, DecimatedMesh& mesh, Boundary boundary,
-                                    int threads, const std::vector<std::uint32_t>& faceOrder = {},
-                                    const StageProgress& progress = {})
+/// their bits \param tree of the original's faces \param threads used as they are
+/// \throws Cancelled \pre finite coordinates
+inline FoldRepairReport RepairFolds(const MeshView& original, const FaceTree& tree, DecimatedMesh& mesh,
+                                    Boundary boundary, int threads, const StageProgress& progress = {})
 {
     // Cheap mendings first: they often mend a neighbour too.
     constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
     // A bound on the time: a face takes milliseconds, and in a shell thinner than the error most are folded.
     constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
     constexpr std::size_t kSuspiciousShare = 8;
-    threads = ResolveThreads(threads);
     FoldRepairReport report;
     if (mesh.triangles.empty()) return report;
     std::vector<std::uint8_t> fixed;
     const MeshView simplified = ViewOf(mesh, original, fixed);
-    const SurfaceFrame frame = FrameOf(simplified);
-    const FaceTree tree(original, frame, threads, faceOrder);
-    std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
+    const Frame& frame = tree.frame();
+    std::vector<std::uint32_t> folded = fold_repair_detail::FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
     if (folded.empty()) return report;
     if (folded.size() > mesh.triangles.size() / kSuspiciousShare &&
-        unfold_detail::HasMixedOrientation(original))
+        fold_repair_detail::HasMixedOrientation(original))
         return report;
 
     SurfaceArrays surface = BuildSurfaceArrays(simplified, frame, nullptr, threads);
