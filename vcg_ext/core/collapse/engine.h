@@ -39,7 +39,7 @@ class SweepDecimation
     MeshView view_;
     DecimationParameters parameters_;
     int threads_;
-    sweeps::SweepState state_;
+    SweepState state_;
     SurfaceArrays original_;
     SurfaceArrays simplified_;
     Buffer<std::uint32_t> root_, vertexOrigin_, faceOrigin_;
@@ -58,8 +58,8 @@ class SweepDecimation
         state_.bordersCount = parameters.boundary != Boundary::Free;
         state_.preserveTopology = parameters.preserveTopology;
         state_.keepOriginal = keepOriginal;
-        sweeps::SweepLoader(view, state_, threads_).Load();
-        sweeps::SweepStarter(view, state_, threads_, parameters.boundary).Start();
+        SweepLoader(view, state_, threads_).Load();
+        SweepStarter(view, state_, threads_, parameters.boundary).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
         if (keepOriginal) KeepOriginal();
     }
@@ -71,7 +71,7 @@ class SweepDecimation
             return !parameters_.progress ||
                    parameters_.progress(static_cast<int>(way * 100), "Collapsing edges");
         };
-        sweeps::SweepSchedule schedule(state_, threads_);
+        SweepSchedule schedule(state_, threads_);
         stopReason_ = schedule.Run(targetFaces, report);
         return stopReason_;
     }
@@ -176,8 +176,8 @@ class SweepDecimation
         faceOrigin_.Allocate(state_.aliveFaces);
         inputOrder_.reserve(state_.faces.size());
         std::size_t to = 0;
-        for (const sweeps::FaceRecord& face : state_.faces) {
-            inputOrder_.push_back(face.origin & ~sweeps::FaceRecord::kDead);
+        for (const FaceRecord& face : state_.faces) {
+            inputOrder_.push_back(face.origin & ~FaceRecord::kDead);
             if (!face.Alive()) continue;
             simplified_.triangles[to] = {{place[face.v[0]], place[face.v[1]], place[face.v[2]]}};
             faceOrigin_[to++] = face.origin;
