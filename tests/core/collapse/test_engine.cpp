@@ -441,16 +441,16 @@ class TestEngine : public QObject
              {test_meshes::Noisy(test_meshes::Icosphere(3), 0.05), test_meshes::Pyramid(41),
               test_meshes::Noisy(test_meshes::Grid(9, 9), 0.1)}) {
             const MeshView view = View(mesh);
-            sweeps::SweepState state;
-            sweeps::SweepLoader(view, state, 1).Load();
-            sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
-            sweeps::NeighbourScratch neighbours;
+            SweepState state;
+            SweepLoader(view, state, 1).Load();
+            SweepStarter(view, state, 1, Boundary::Preserve).Start();
+            NeighbourScratch neighbours;
             for (std::uint32_t v = 0; v < state.VertexCount(); ++v) {
-                QVERIFY(sweeps::CollectNeighbours(state, v, {0, state.VertexCount()}, neighbours));
+                QVERIFY(CollectNeighbours(state, v, {0, state.VertexCount()}, neighbours));
                 std::vector<float> costs[2];
                 for (const bool eight : {false, true}) {
                     state.eightAtOnce = eight && HasAvx2();
-                    sweeps::EvaluateEdges(state, v, neighbours);
+                    EvaluateEdges(state, v, neighbours);
                     const float* cost = neighbours.cost.data();
                     costs[eight].assign(cost, cost + neighbours.size);
                 }
@@ -466,9 +466,9 @@ class TestEngine : public QObject
         const IndexedMesh flat{
             {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, {}};
         const MeshView view = View(flat);
-        sweeps::SweepState state;
-        sweeps::SweepLoader(view, state, 1).Load();
-        sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
+        SweepState state;
+        SweepLoader(view, state, 1).Load();
+        SweepStarter(view, state, 1, Boundary::Preserve).Start();
         const float side2 = 1024.0F * 1024.0F / 2; // in the frame
         for (std::uint32_t v = 0; v < 4; ++v) {
             const auto history = state.vertices[v].History().matrix;

@@ -47,7 +47,7 @@ Pair MakePair(const IndexedMesh& original, const IndexedMesh& simplified,
               Buffer<std::uint32_t>(original.points.size())};
     for (std::uint32_t v = 0; v < original.points.size(); ++v) {
         float nearest = std::numeric_limits<float>::max();
-        pair.root[v] = vcg_ext::refinement::kNone;
+        pair.root[v] = vcg_ext::kNone;
         for (std::uint32_t w = 0; w < simplified.points.size(); ++w) {
             const float d = SquaredNorm(PositionOf(pair.original, v) - PositionOf(pair.simplified, w));
             if (pair.simplified.cornerCount[w] == 0 || d >= nearest) continue;
@@ -255,8 +255,7 @@ void TestRefinement::samplesShareTheWholeArea()
     for (const float perFace : {1000.0F, 8.0F}) {
         RefinementParameters parameters;
         parameters.samplesPerFace = perFace;
-        const auto lists =
-            vcg_ext::refinement::AttachSamples(pair.original, pair.simplified, pair.root, parameters);
+        const auto lists = vcg_ext::AttachSamples(pair.original, pair.simplified, pair.root, parameters);
         double weight = 0;
         for (const auto& sample : lists.samples) weight += static_cast<double>(sample.weight);
         QVERIFY(std::abs(weight / area - 1) < 0.03);
@@ -267,18 +266,18 @@ void TestRefinement::samplesShareTheWholeArea()
 void TestRefinement::everySampleKnowsItsFaceAndItsDistance()
 {
     for (const Family& family : Families()) {
-        using namespace vcg_ext::refinement;
+        using namespace vcg_ext;
         Pair pair = MakePair(family.original, family.simplified);
         SurfaceArrays& surface = pair.simplified;
         vcg_ext::MakeRoomForCorners(surface, vcg_ext::kFlipRoom);
         const RefinementParameters parameters;
-        State state{pair.original,
-                    surface,
-                    parameters,
-                    AttachSamples(pair.original, surface, pair.root, parameters),
-                    NoHints(surface.VertexCount()),
-                    NoHints(3 * surface.FaceCount()),
-                    NoHints(surface.FaceCount())};
+        RefinementState state{pair.original,
+                              surface,
+                              parameters,
+                              AttachSamples(pair.original, surface, pair.root, parameters),
+                              NoHints(surface.VertexCount()),
+                              NoHints(3 * surface.FaceCount()),
+                              NoHints(surface.FaceCount())};
         state.meanSquare = static_cast<float>(MeanSquare(state.samples));
         FlipEdges(state, 1);
         MoveVertices(state, 1);
@@ -560,7 +559,7 @@ void TestRefinement::emptySurfacesAndMissingRoots()
     Pair alone = MakePair(IndexedMesh{}, Icosphere(1));
     QCOMPARE(Refine(alone).moves, std::size_t{0});
     Pair rootless = MakePair(Icosphere(2), Noisy(Icosphere(1), 0.05));
-    std::fill(rootless.root.begin(), rootless.root.end(), vcg_ext::refinement::kNone);
+    std::fill(rootless.root.begin(), rootless.root.end(), vcg_ext::kNone);
     const RefinementReport report = Refine(rootless);
     QCOMPARE(report.samples, std::size_t{0});
     QCOMPARE(report.moves, std::size_t{0});

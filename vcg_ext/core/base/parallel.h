@@ -67,6 +67,13 @@ void ParallelRanges(int threads, std::size_t items, std::size_t grain, const Bod
     });
 }
 
+/// The vertices begin .. end - 1, which one thread works on.
+struct VertexRange {
+    std::uint32_t begin, end;
+
+    bool Has(std::uint32_t v) const { return v - begin < end - begin; }
+};
+
 /// Adds \p amount to \p counter, which other threads add to at the same time, and returns what it held
 /// before. What is claimed this way arrives in no fixed order: sort it before a result can depend on it.
 inline std::uint32_t FetchAdd(std::uint32_t& counter, std::uint32_t amount)

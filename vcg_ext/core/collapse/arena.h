@@ -8,7 +8,7 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// One thread's room for new corner lists behind those of the pool. Room is claimed in chunks; where a list
@@ -46,4 +46,4 @@ class CornerArena
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -17,7 +17,7 @@
 #include "vcg_ext/core/collapse/state.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Faces whose corners fit the 32 bits of a pool with the lists of one sweep behind it.
@@ -291,4 +291,4 @@ class SweepLoader
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

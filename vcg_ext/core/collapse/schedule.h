@@ -12,7 +12,7 @@
 #include "vcg_ext/core/collapse/sweep.h"
 #include "vcg_ext/core/parameters.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Chooses the threshold of every sweep and decides when there is nothing left to do.
@@ -179,4 +179,4 @@ class SweepSchedule
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

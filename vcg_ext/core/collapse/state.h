@@ -9,11 +9,12 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/float8.h"
+#include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/cost.h"
 #include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// A vertex as the inner loops read it: 80 bytes, five vectors of four floats.
@@ -124,12 +125,6 @@ struct SweepState {
     }
 };
 
-/// Consecutive vertices that one thread may change.
-struct VertexRange {
-    std::uint32_t begin, end;
-    bool Contains(std::uint32_t v) const { return v - begin < end - begin; }
-};
-
 /// A pass over many vertices waits for memory most of all. Asked for in two stages, what it is about to read
 /// has arrived when it comes to it: the faces of a vertex, and a few vertices later its neighbours' records.
 class ReadAhead
@@ -180,4 +175,4 @@ inline int FacesOnEdge(const SweepState& state, std::uint32_t a, std::uint32_t b
     return faces;
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -101,8 +101,8 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads, boo
     std::vector<Found> found(ranges);
     ParallelFor(threads, ranges, [&](std::size_t range, int) {
         const std::size_t begin = bound(range), end = bound(range + 1);
-        found[range].repeated =
-            SumFaces<Scalar>(mesh, VertexRange{begin, end - begin}, sums.data(), eightAtOnce);
+        const VertexRange vertices{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+        found[range].repeated = SumFaces<Scalar>(mesh, vertices, sums.data(), eightAtOnce);
         ReadSums(sums.data(), begin, end, values.data(), found[range].irregular);
     });
     Found all;

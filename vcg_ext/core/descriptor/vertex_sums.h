@@ -12,6 +12,7 @@
 #include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/float8.h"
+#include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/vector.h"
 
 // One pass over the faces that adds up, at every vertex, what the Laplacian descriptor is made of. Every
@@ -60,13 +61,6 @@ struct DirectedEdge {
     {
         return a.from == b.from && a.to == b.to;
     }
-};
-
-/// The vertices that a thread adds up for.
-struct VertexRange {
-    std::size_t first, count;
-
-    bool Has(std::uint32_t v) const { return v - first < count; }
 };
 
 /// Takes the faces in batches of as many as a Real has lanes.
@@ -212,7 +206,7 @@ template <class Real, class Scalar>
     };
     std::size_t f = 0;
     const std::size_t last = mesh.faceCount > kAhead ? mesh.faceCount - kAhead : 0; // to read ahead from
-    if (range.count == mesh.vertexCount) {
+    if (range.end - range.begin == mesh.vertexCount) {
         for (; f + kFaces <= last; f += kFaces) {
             const std::uint32_t* corners = mesh.triangles + 3 * f;
             readAhead(corners, kFaces);

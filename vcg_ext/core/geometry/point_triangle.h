@@ -13,9 +13,6 @@
 namespace vcg_ext
 {
 
-/// Squares smaller than this are taken for it where something is divided by them.
-constexpr float kSmallestSquare = 1e-30F;
-
 template <class Real>
 struct ClosestPointOf {
     Real distance2;  ///< square of the distance

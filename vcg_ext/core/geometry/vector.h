@@ -6,6 +6,10 @@
 namespace vcg_ext
 {
 
+/// Squares of lengths, and sums of such, that are smaller than this are taken for it where something is
+/// divided by them; in the frame of kFrameDiagonal.
+constexpr float kSmallestSquare = 1e-30F;
+
 /// A point or direction, left uninitialised unless braces follow.
 /// \tparam Real float or double; Float4 or Float8: as many vectors as it has lanes
 template <class Real>

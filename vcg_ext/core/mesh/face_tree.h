@@ -29,12 +29,7 @@ namespace vcg_ext
 /// their corners are gathered when one is. Queries may run on several threads.
 class FaceTree
 {
-    using FourTriangles = face_tree::FourTriangles;
-    using FourNodes = face_tree::FourNodes;
-    using Box = face_tree::Box;
-
     static constexpr std::size_t kGrain = 4096;
-    static constexpr float kFar = face_tree::kFar;
     /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, and
     /// then either of them may be meant; or to faces that coincide, and then none is against.
     static constexpr float kTie = 1.00002F;
@@ -72,15 +67,15 @@ class FaceTree
             SortFaces(threads);
         else
             std::copy(order.begin(), order.end(), faces_.begin());
-        levels_.push_back(face_tree::LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
-            face_tree::LeafBoxes boxes;
+        levels_.push_back(LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
+            LeafBoxes boxes;
             ForEachFour(leaf, [&](const FourTriangles& faces, const auto&) { boxes.Add(faces); });
             return boxes.Boxes();
         }));
         while (levels_.back().size() > 1) {
             const Buffer<FourNodes>& below = levels_.back();
-            auto above = face_tree::LevelAbove(
-                below.size(), threads, [&](std::size_t node) { return face_tree::BoxesOf(below[node]); });
+            auto above =
+                LevelAbove(below.size(), threads, [&](std::size_t node) { return BoxesOf(below[node]); });
             levels_.push_back(std::move(above));
         }
     }
@@ -190,9 +185,9 @@ class FaceTree
     {
         constexpr double kHalf = kFrameDiagonal / 2;
         constexpr int kBitsPerAxis = 7; // two passes of sorting; what shares a cell stays in the mesh's order
-        using Grid = sweeps::MortonGrid<kBitsPerAxis>;
+        using Grid = MortonGrid<kBitsPerAxis>;
         const Grid grid({-kHalf, -kHalf, -kHalf}, {kHalf, kHalf, kHalf});
-        Buffer<sweeps::OrderedVertex> order(faces_.size());
+        Buffer<OrderedVertex> order(faces_.size());
         ParallelRanges(threads, faces_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t f = begin; f < end; ++f) {
                 const SurfacePoint& p = points_[triangles_[3 * f]];
@@ -201,7 +196,7 @@ class FaceTree
                     static_cast<std::uint32_t>(f)};
             }
         });
-        sweeps::SortByCode<Grid::kCodeBits>(order, threads);
+        SortByCode<Grid::kCodeBits>(order, threads);
         for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i] = order[i].origin;
     }
 
@@ -293,7 +288,7 @@ class FaceTree
 
     /// \param level as Search's
     template <class Visit>
-    void ForEachNear(std::size_t level, std::size_t node, const Box& box, const Visit& visit) const
+    void ForEachNear(std::size_t level, std::size_t node, const NodeBox& box, const Visit& visit) const
     {
         if (level > 0) {
             for (std::size_t lane = 0; lane < kLanes; ++lane)

@@ -15,16 +15,16 @@
 
 // The nodes of a FaceTree: four children side by side, so that they are tested at once.
 
-namespace vcg_ext::face_tree
+namespace vcg_ext
 {
 
 constexpr float kFar = std::numeric_limits<float>::max();
 
 /// Of points, or of unit normals.
-struct Box {
+struct NodeBox {
     std::array<float, 3> low, high;
 };
-inline bool Overlap(const Box& a, const Box& b)
+inline bool Overlap(const NodeBox& a, const NodeBox& b)
 {
     for (std::size_t k = 0; k < 3; ++k)
         if (!(a.low[k] <= b.high[k] && b.low[k] <= a.high[k])) return false;
@@ -56,17 +56,17 @@ struct FourTriangles {
 struct FourBoxes {
     FourVectors low, high;
 
-    void Put(std::size_t lane, const Box& box)
+    void Put(std::size_t lane, const NodeBox& box)
     {
         low.Put(lane, {box.low[0], box.low[1], box.low[2]});
         high.Put(lane, {box.high[0], box.high[1], box.high[2]});
     }
-    Box At(std::size_t lane) const
+    NodeBox At(std::size_t lane) const
     {
         const Vector3<float> l = low.At(lane), h = high.At(lane);
         return {{l.x, l.y, l.z}, {h.x, h.y, h.z}};
     }
-    Box Around() const
+    NodeBox Around() const
     {
         return {{MinLane(low[0]), MinLane(low[1]), MinLane(low[2])},
                 {MaxLane(high[0]), MaxLane(high[1]), MaxLane(high[2])}};
@@ -100,7 +100,7 @@ struct FourNodes {
 
 /// The boxes of the points and of the unit normals of all that is in a node.
 struct NodeBoxes {
-    Box points{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, normals = points;
+    NodeBox points{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, normals = points;
 };
 inline NodeBoxes BoxesOf(const FourNodes& nodes)
 {
@@ -118,7 +118,7 @@ class LeafBoxes
             low[k] = Min(low[k], least);
             high[k] = Max(high[k], greatest);
         }
-        Box AllLanes() const
+        NodeBox AllLanes() const
         {
             return {{MinLane(low[0]), MinLane(low[1]), MinLane(low[2])},
                     {MaxLane(high[0]), MaxLane(high[1]), MaxLane(high[2])}};
@@ -162,4 +162,4 @@ Buffer<FourNodes> LevelAbove(std::size_t children, int threads, const BoxesOfChi
     return level;
 }
 
-} // namespace vcg_ext::face_tree
+} // namespace vcg_ext

@@ -13,6 +13,9 @@
 namespace vcg_ext
 {
 
+/// No vertex, no face, the end of a list.
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
 /// A point of the engine's frame (p - box centre) * 1024 / diagonal, and one number that belongs to it.
 struct alignas(16) SurfacePoint {
     float x, y, z;

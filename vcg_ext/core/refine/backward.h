@@ -14,7 +14,7 @@
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// Four points of the simplified surface whose distances to the original count. Lanes behind the last repeat
@@ -23,7 +23,7 @@ struct BackwardGroup {
     Vector3<Float4> position; ///< in the frame of the arrays
     Float4 weight;            ///< area, times the weight of the backward term
     Float4 leverage;          ///< part of the vertex's step that the point makes
-    Place* hint[4];           ///< face of the original found last, or where to look first
+    SurfacePlace* hint[4];    ///< face of the original found last, or where to look first
 };
 
 class BackwardPoints
@@ -37,7 +37,7 @@ class BackwardPoints
         groups_.Clear();
         count_ = 0;
     }
-    void Add(const Vector3<float>& position, float weight, float leverage, Place* hint)
+    void Add(const Vector3<float>& position, float weight, float leverage, SurfacePlace* hint)
     {
         const int lane = static_cast<int>(count_++ % kLanes);
         BackwardGroup& group = lane == 0 ? groups_.Append() : groups_[groups_.size() - 1];
@@ -99,7 +99,7 @@ class BackwardSearch
     explicit BackwardSearch(const SurfaceArrays& original) : original_(original) {}
 
     /// The closest places that walks from the hints find; the hints become their faces.
-    FourHits Find(const Vector3<Float4>& points, Place* const* hints) const
+    FourHits Find(const Vector3<Float4>& points, SurfacePlace* const* hints) const
     {
         FourHits hits = TestHints(points, hints);
         const int done = LaneBits(hits.found);
@@ -125,12 +125,12 @@ class BackwardSearch
         return closest.weights[0] > kInside && closest.weights[1] > kInside && closest.weights[2] > kInside;
     }
     /// Most points are still over the face found last: found where that is so.
-    FourHits TestHints(const Vector3<Float4>& points, Place* const* hints) const
+    FourHits TestHints(const Vector3<Float4>& points, SurfacePlace* const* hints) const
     {
         std::uint32_t faces[kLanes];
         Int4 known;
         for (int lane = 0; lane < kLanes; ++lane) {
-            const Place hint = *hints[lane];
+            const SurfacePlace hint = *hints[lane];
             known[lane] = IsFace(hint) ? -1 : 0;
             faces[lane] = IsFace(hint) ? hint & ~kFacePlace : 0;
         }
@@ -148,7 +148,7 @@ class BackwardSearch
         hits.residual = {-height * n.x, -height * n.y, -height * n.z};
         return hits;
     }
-    Hit Walk(const Vector3<float>& p, Place hint) const
+    Hit Walk(const Vector3<float>& p, SurfacePlace hint) const
     {
         Hit hit;
         std::uint32_t around = hint;
@@ -223,7 +223,7 @@ class BackwardSearch
 };
 
 /// Does a face with that normal look away from the face of \p original that was found below it?
-inline bool LooksAway(const SurfaceArrays& original, Place below, const Vector3<float>& normal)
+inline bool LooksAway(const SurfaceArrays& original, SurfacePlace below, const Vector3<float>& normal)
 {
     return below != kNone && IsFace(below) && Dot(AreaVector(original, below & ~kFacePlace), normal) < 0;
 }
@@ -269,4 +269,4 @@ inline BackwardEnergy MeasureBackward(const BackwardSearch& search, BackwardPoin
     return sum;
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

@@ -11,26 +11,20 @@
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// Orders of work over the vertices that threads can share. They depend on the surface and the size of the
 /// blocks only; so does every result, because two vertices treated at the same time share nothing that is
 /// written.
 
-/// Vertices begin to end - 1.
-struct VertexRange {
-    std::uint32_t begin, end;
-
-    bool Has(std::uint32_t v) const { return v - begin < end - begin; }
-    /// Do all faces around \p v lie in the range? Then nobody outside it changes what is read or written.
-    bool HasStar(const SurfaceArrays& surface, std::uint32_t v) const
-    {
-        for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
-            if (!Has(NextVertex(surface, *c)) || !Has(PreviousVertex(surface, *c))) return false;
-        return true;
-    }
-};
+/// Do all faces around \p v lie in the range? Then nobody outside it changes what is read or written.
+inline bool HasStar(const VertexRange& range, const SurfaceArrays& surface, std::uint32_t v)
+{
+    for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
+        if (!range.Has(NextVertex(surface, *c)) || !range.Has(PreviousVertex(surface, *c))) return false;
+    return true;
+}
 
 /// Consecutive blocks of about \p size vertices that cover all of them; \p shifted by half a block.
 inline std::vector<VertexRange> VertexBlocks(std::size_t vertices, std::uint32_t size, bool shifted)
@@ -53,7 +47,7 @@ std::vector<std::uint32_t> TreatBlocks(const SurfaceArrays& surface, const std::
     ParallelFor(threads, blocks.size(), [&](std::size_t b, int thread) {
         for (std::uint32_t v = blocks[b].begin; v < blocks[b].end; ++v) {
             if (!wanted(v)) continue;
-            if (blocks[b].HasStar(surface, v))
+            if (HasStar(blocks[b], surface, v))
                 treat(v, thread);
             else
                 seams[b].push_back(v);
@@ -117,4 +111,4 @@ void TreatConnectivity(const SurfaceArrays& surface, std::uint32_t blockVertices
     for (const std::uint32_t v : last) treat(v, 0);
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

@@ -9,7 +9,7 @@
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/geometry/vector.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// The least-squares step of a vertex: (sum w b^2 n n^T) x = sum w b d. A point of weight w makes the part b
@@ -77,4 +77,4 @@ inline std::optional<Vector3<float>> SolveStep(const NormalEquations& e, float r
     return step;
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

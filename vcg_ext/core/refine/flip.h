@@ -18,7 +18,7 @@
 #include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/edge_flip.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// Exchanges the diagonal of two faces where that is allowed and saves energy.
@@ -31,17 +31,17 @@ class EdgeFlipper
         std::array<PreparedTriangle<float>, 2> before, after; ///< the second one after the flip seen from d
     };
 
-    State& state_;
+    RefinementState& state_;
     BackwardSearch search_;
     FlippableEdge edge_{};
     Shape shape_;
     SampleGroups groups_;
     BackwardPoints points_;
-    std::array<Place, 3> hints_{}; ///< of the last Backward's points
+    std::array<SurfacePlace, 3> hints_{}; ///< of the last Backward's points
     Scratch<std::uint32_t> neighbours_;
 
   public:
-    explicit EdgeFlipper(State& state) : state_(state), search_(state.original) {}
+    explicit EdgeFlipper(RefinementState& state) : state_(state), search_(state.original) {}
 
     /// Tries the edges from \p v to neighbours of higher index; returns how many were flipped.
     std::size_t FlipAround(std::uint32_t v)
@@ -168,4 +168,4 @@ class EdgeFlipper
     }
 };
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

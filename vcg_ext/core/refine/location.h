@@ -12,7 +12,7 @@
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/star.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// Attaches samples to the closest face of the simplified surface, as far as a walk over stars finds it.
@@ -136,4 +136,4 @@ inline SampleLists AttachSamples(const SurfaceArrays& original, const SurfaceArr
     return lists;
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

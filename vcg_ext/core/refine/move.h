@@ -18,16 +18,16 @@
 #include "vcg_ext/core/refine/star.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// What all passes share. Hints are places of the original, kNone where nothing is known yet.
-struct State {
+struct RefinementState {
     const SurfaceArrays& original;
     SurfaceArrays& simplified;
     const RefinementParameters& parameters;
     SampleLists samples;
-    Buffer<Place> vertexHints, edgeHints,
+    Buffer<SurfacePlace> vertexHints, edgeHints,
         centroidHints;    ///< edges: 3 face + index, from vertex index to the next
     float meanSquare = 0; ///< rms^2 before the first change
 };
@@ -52,7 +52,7 @@ class VertexMover
         float forward2 = 0, backward2 = 0; ///< largest squared distances
     };
 
-    State& state_;
+    RefinementState& state_;
     BackwardSearch search_;
     Star star_;
     Scratch<Trial> trials_;
@@ -61,7 +61,7 @@ class VertexMover
     Scratch<std::pair<std::uint32_t, std::uint32_t>> byNext_; // (next vertex, face of the star)
 
   public:
-    explicit VertexMover(State& state) : state_(state), search_(state.original) {}
+    explicit VertexMover(RefinementState& state) : state_(state), search_(state.original) {}
 
     /// True if \p v moved.
     bool Move(std::uint32_t v)
@@ -158,7 +158,7 @@ class VertexMover
     void MeasureForward(Energy& energy, EquationSums& equations);
     void CollectBackwardPoints(std::uint32_t v);
     /// Of the edge from the vertex to the next one of face i; the faces on both sides share one.
-    Place& NextEdgeHint(std::size_t i)
+    SurfacePlace& NextEdgeHint(std::size_t i)
     {
         std::uint32_t hint = EdgeHint(star_[i].corner);
         if (const std::uint32_t across = trials_[i].acrossNext; across != kNone) {
@@ -206,7 +206,7 @@ class VertexMover
     bool FoldsAFace() const
     {
         for (std::size_t i = 0; i < star_.size(); ++i) {
-            const Place below = state_.centroidHints[star_[i].face];
+            const SurfacePlace below = state_.centroidHints[star_[i].face];
             if (LooksAway(state_.original, below, NormalOf(trials_[i].triangle)) &&
                 !LooksAway(state_.original, below, NormalOf(star_[i].triangle)))
                 return true;
@@ -252,7 +252,7 @@ inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
     const Vector3<float> origin = PositionOf(state_.simplified, v);
     const GroupRange all{0, groups_.size()};
     const auto add = [&](const Vector3<float>& position, float weight, float leverage, const GroupRange& near,
-                         Place& hint) {
+                         SurfacePlace& hint) {
         if (hint == kNone)
             hint = NearestOrigin(state_.samples, groups_, near.begin < near.end ? near : all, position);
         points_.Add(origin + position, p.backwardWeight * weight, leverage, &hint);
@@ -260,7 +260,7 @@ inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
     points_.Clear();
     float area = 0;
     for (std::size_t i = 0; i < star_.size(); ++i) {
-        const StarFace& s = star_[i];
+        const StarTriangle& s = star_[i];
         const float faceArea = s.triangle.doubleArea / 2;
         area += faceArea;
         add((1.0F / 3) * (s.toNext + s.toPrevious), p.backwardCentroid * faceArea, 1.0F / 3,
@@ -295,4 +295,4 @@ inline bool VertexMover::ForwardStaysBelow(const Vector3<float>& step, double al
     return true;
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

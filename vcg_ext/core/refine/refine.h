@@ -22,9 +22,6 @@
 namespace vcg_ext
 {
 
-namespace refinement
-{
-
 /// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
 /// moves would gain nothing and make flat parts uneven.
 constexpr double kFlatTilt = 5e-4;
@@ -38,9 +35,9 @@ inline double FaceSize(const SurfaceArrays& surface)
     return std::sqrt(doubleArea / 2 / static_cast<double>(surface.FaceCount()));
 }
 
-inline Buffer<Place> NoHints(std::size_t size)
+inline Buffer<SurfacePlace> NoHints(std::size_t size)
 {
-    Buffer<Place> hints(size);
+    Buffer<SurfacePlace> hints(size);
     std::fill(hints.begin(), hints.end(), kNone);
     return hints;
 }
@@ -52,12 +49,12 @@ class PerThread
     struct alignas(64) Slot {
         Tool tool;
         std::size_t count = 0;
-        explicit Slot(State& state) : tool(state) {}
+        explicit Slot(RefinementState& state) : tool(state) {}
     };
     std::vector<Slot> slots_;
 
   public:
-    PerThread(State& state, int threads)
+    PerThread(RefinementState& state, int threads)
     {
         slots_.reserve(static_cast<std::size_t>(threads));
         for (int i = 0; i < threads; ++i) slots_.emplace_back(state);
@@ -72,7 +69,7 @@ class PerThread
 };
 
 /// One pass of flips over all edges. Returns how many there were.
-inline std::size_t FlipEdges(State& state, int threads)
+inline std::size_t FlipEdges(RefinementState& state, int threads)
 {
     PerThread<EdgeFlipper> flippers(state, threads);
     const SurfaceArrays& surface = state.simplified;
@@ -86,7 +83,7 @@ inline std::size_t FlipEdges(State& state, int threads)
 }
 
 /// One pass of moves over all vertices that may move. Returns how many did.
-inline std::size_t MoveVertices(State& state, int threads)
+inline std::size_t MoveVertices(RefinementState& state, int threads)
 {
     constexpr std::uint32_t kFewestFaces = 3;
     PerThread<VertexMover> movers(state, threads);
@@ -100,8 +97,6 @@ inline std::size_t MoveVertices(State& state, int threads)
     });
     return movers.Count();
 }
-
-} // namespace refinement
 
 /// Moves the vertices and flips the edges of a simplified surface so that the weighted squared distance
 /// between it and the original falls, in both directions. Vertices, faces and their number stay.
@@ -120,20 +115,19 @@ inline std::size_t MoveVertices(State& state, int threads)
 inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& simplified,
                                const Buffer<std::uint32_t>& root, const RefinementParameters& parameters = {})
 {
-    using namespace refinement;
     RefinementReport report;
     if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
     const int threads = ResolveThreads(parameters.threads);
     const auto reached = [&](int percent) { parameters.progress(percent, "Refinement"); };
     reached(0);
     if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
-    State state{original,
-                simplified,
-                parameters,
-                AttachSamples(original, simplified, root, parameters),
-                NoHints(simplified.VertexCount()),
-                NoHints(3 * simplified.FaceCount()),
-                NoHints(simplified.FaceCount())};
+    RefinementState state{original,
+                          simplified,
+                          parameters,
+                          AttachSamples(original, simplified, root, parameters),
+                          NoHints(simplified.VertexCount()),
+                          NoHints(3 * simplified.FaceCount()),
+                          NoHints(simplified.FaceCount())};
     report.samples = state.samples.samples.size();
     const double meanSquare = MeanSquare(state.samples);
     report.rmsBefore = report.rmsAfter = std::sqrt(meanSquare);

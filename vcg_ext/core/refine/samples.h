@@ -13,20 +13,17 @@
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
-
-/// End of a list, no face, no vertex.
-constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 /// Walks go around vertices with more faces than this: searching such a star for every sample near it would
 /// cost the square of its size.
 constexpr std::uint32_t kLargestSearchedStar = 256;
 
 /// A place on the original surface: one of its vertices, or one of its faces with the highest bit set.
-using Place = std::uint32_t;
-constexpr Place kFacePlace = 0x80000000;
-inline bool IsFace(Place place)
+using SurfacePlace = std::uint32_t;
+constexpr SurfacePlace kFacePlace = 0x80000000;
+inline bool IsFace(SurfacePlace place)
 {
     return (place & kFacePlace) != 0;
 }
@@ -39,7 +36,7 @@ struct alignas(32) Sample {
     float distance2;    ///< square of the distance to \c face
     std::uint32_t face; ///< of the simplified surface
     std::uint32_t next; ///< sample of the same face, or kNone
-    Place origin;
+    SurfacePlace origin;
 };
 static_assert(sizeof(Sample) == 32, "half a cache line");
 
@@ -218,4 +215,4 @@ inline double MeanSquare(const SampleLists& lists)
     return weight > 0 ? energy / weight : 0;
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

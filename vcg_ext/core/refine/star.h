@@ -12,7 +12,7 @@
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// Reusable room for values that are written before they are read; never shrinks.
@@ -43,14 +43,14 @@ class Scratch
 };
 
 /// A face around a vertex, seen from that vertex.
-struct StarFace {
+struct StarTriangle {
     std::uint32_t face;
     Corner corner;                ///< of the star's vertex
     std::uint32_t next, previous; ///< the other two vertices
     Vector3<float> toNext, toPrevious;
     PreparedTriangle<float> triangle;
 };
-using Star = Scratch<StarFace>;
+using Star = Scratch<StarTriangle>;
 
 inline void GatherStar(const SurfaceArrays& surface, std::uint32_t v, Star& star)
 {
@@ -58,7 +58,7 @@ inline void GatherStar(const SurfaceArrays& surface, std::uint32_t v, Star& star
     const Vector3<float> origin = PositionOf(surface, v);
     star.Resize(surface.cornerCount[v]);
     for (std::size_t i = 0; i < star.size(); ++i) {
-        StarFace& s = star[i];
+        StarTriangle& s = star[i];
         s.corner = corners[i];
         s.face = FaceOf(corners[i]);
         s.next = NextVertex(surface, corners[i]);
@@ -119,8 +119,8 @@ struct GroupRange {
 
 /// Where the sample of \p range nearest to \p p comes from. \pre the range is not empty; p is seen from the
 /// groups' origin
-inline Place NearestOrigin(const SampleLists& lists, const SampleGroups& groups, const GroupRange& range,
-                           const Vector3<float>& p)
+inline SurfacePlace NearestOrigin(const SampleLists& lists, const SampleGroups& groups,
+                                  const GroupRange& range, const Vector3<float>& p)
 {
     Float4 best = Splat(std::numeric_limits<float>::max());
     Int4 bestGroup = Splat(0);
@@ -153,4 +153,4 @@ void StoreSamples(SampleLists& lists, SampleGroups& groups, std::size_t owners, 
     }
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext
