@@ -6,7 +6,8 @@
 //     simplify_arrays FACES [OUTPUT.off]
 //
 // makes a relief of 180,000 triangles, simplifies it to FACES and writes the result as OFF.
-// Compile with: c++ -std=c++17 -O3 -fopenmp -ffp-contract=off -fno-math-errno -I <top of the project>
+// With CMake, link laplacian_simplify::core. Without:
+// c++ -std=c++17 -O3 -fopenmp -ffp-contract=off -fno-math-errno -I <top of the project> simplify_arrays.cpp
 
 #include <array>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,6 +63,7 @@ vcg_ext::MeshView ViewOf(const Mesh& mesh)
 void WriteOff(const vcg_ext::DecimatedMesh& mesh, const std::string& path)
 {
     std::ofstream file(path);
+    file.precision(std::numeric_limits<double>::max_digits10);
     file << "OFF\n" << mesh.positions.size() << ' ' << mesh.triangles.size() << " 0\n";
     for (const auto& p : mesh.positions) file << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
     for (const auto& t : mesh.triangles) file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
