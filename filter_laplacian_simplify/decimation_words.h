@@ -9,7 +9,7 @@
 #include "parameters.h"
 #include "number_text.h"
 #include "results.h"
-#include "vcg_ext/decimate.h"
+#include "vcg_ext/core/measure/report.h"
 
 namespace laplacian_simplify
 {

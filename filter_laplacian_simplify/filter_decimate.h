@@ -81,11 +81,11 @@ void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer)
 }
 
 /// What every decimation filter does around its collapse: target, progress, result, report and log.
-/// \param collapse called with the faces to keep and the progress, returns a vcg_ext::Decimation; not called
+/// \param simplify called with the faces to keep and the progress, returns a vcg_ext::Simplification; not called
 ///        where the mesh has no more faces than that
-template <class Host, class Collapse>
+template <class Host, class Simplify>
 Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, bool newLayer,
-                           const Collapse& collapse)
+                           const Simplify& simplify)
 {
     const Stopwatch stopwatch;
     const MeshFacts facts = FactsOf(host.Mesh());
@@ -96,7 +96,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, 
         if (newLayer) host.ContinueOnCopy();
     } else {
         CalmProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
-        vcg_ext::Decimation decimation = collapse(target, vcg_ext::Progress(std::ref(progress)));
+        vcg_ext::Simplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
         report = decimation.report;
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;

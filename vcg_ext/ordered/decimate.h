@@ -40,11 +40,12 @@ inline void SetDescriptor(const MeshView& view, GuidedParameters& parameters)
 
 template <class Method>
 StrictDecimation Run(const MeshView& view, StrictMesh& mesh, const std::vector<std::uint32_t>& faceOrigin,
-                     GuidedParameters guided, const DecimationParameters& parameters)
+                     GuidedParameters guided, const DecimationParameters& parameters,
+                     const StageProgress& progress)
 {
     Method method(mesh, std::move(guided));
     CollapseRun<StrictMesh, Method> run(mesh, method);
-    const StopReason reason = run.Decimate(parameters.targetFaces, parameters.progress);
+    const StopReason reason = run.Decimate(parameters.targetFaces, progress);
     StrictDecimation result = Collect(view, mesh, faceOrigin, method);
     result.mesh.stopReason = reason;
     return result;
@@ -58,8 +59,9 @@ StrictDecimation Run(const MeshView& view, StrictMesh& mesh, const std::vector<s
 /// The result never has a non-manifold edge or vertex, a duplicate or a degenerate face that the input did
 /// not have, and no collapse turns a face by more than 78 degrees. A vertex that never moved is returned with
 /// the input's coordinates. Vertices without faces are left out.
-/// \pre finite coordinates, indices below vertexCount, parameters in their ranges
-inline StrictDecimation DecimateStrict(const MeshView& view, const DecimationParameters& parameters)
+/// \throws Cancelled \pre finite coordinates, indices below vertexCount, parameters in their ranges
+inline StrictDecimation DecimateStrict(const MeshView& view, const DecimationParameters& parameters,
+                                       const StageProgress& progress = {})
 {
     StrictMesh mesh;
     std::vector<std::uint32_t> faceOrigin;
@@ -73,9 +75,9 @@ inline StrictDecimation DecimateStrict(const MeshView& view, const DecimationPar
 
     return parameters.effort == Effort::Best
                ? strict_detail::Run<MeasuredCollapse<StrictMesh>>(view, mesh, faceOrigin, std::move(guided),
-                                                                  parameters)
+                                                                  parameters, progress)
                : strict_detail::Run<GuidedCollapse<StrictMesh>>(view, mesh, faceOrigin, std::move(guided),
-                                                                parameters);
+                                                                parameters, progress);
 }
 
 } // namespace vcg_ext

@@ -31,7 +31,7 @@ class MeasuredSamples
 
     /// Samples around one edge, four at a time.
     struct Group {
-        FourPoints points;
+        Vector3<Float4> points;
         Float4 weight, distance2, newDistance2;
         Int4 nearest; ///< place in the list of faces
     };
@@ -61,8 +61,8 @@ class MeasuredSamples
     {
         triangles_.clear();
         const auto single = [](const vcg::Point3d& p) {
-            return Vector3{static_cast<float>(p[0] * kScale), static_cast<float>(p[1] * kScale),
-                           static_cast<float>(p[2] * kScale)};
+            return Vector3<float>{static_cast<float>(p[0] * kScale), static_cast<float>(p[1] * kScale),
+                                  static_cast<float>(p[2] * kScale)};
         };
         for (const StarFace& face : faces)
             triangles_.push_back(PrepareTriangle(single(face.next - x), single(face.previous - x)));

@@ -266,7 +266,7 @@ class CollapseRun : public vcg::BaseParameterClass
     }
 
     /// Collapses until at most \p targetFaces faces are left, no legal collapse is, or \p progress says no.
-    StopReason Decimate(std::size_t targetFaces, const Progress& progress)
+    StopReason Decimate(std::size_t targetFaces, const StageProgress& progress)
     {
         vcg::tri::RequirePerVertexMark(mesh_);
         const auto Faces = [this] { return static_cast<std::size_t>(mesh_.fn); };
@@ -283,9 +283,7 @@ class CollapseRun : public vcg::BaseParameterClass
             if (Faces() > next && !retrying && !(method_.BeginLastResort() && RetryRefused(true)))
                 return StopReason::NoLegalCollapse;
             const std::size_t done = before - std::max(Faces(), targetFaces);
-            if (progress &&
-                !progress(static_cast<int>(100 * done / (before - targetFaces)), "Collapsing edges"))
-                return StopReason::Cancelled;
+            progress(static_cast<int>(100 * done / (before - targetFaces)), "Collapsing edges");
         }
         return StopReason::Target;
     }

@@ -21,7 +21,7 @@ namespace vcg_ext
 /// The decimation of Zhang et al., "Laplacian-Based Feature Preserving Mesh Simplification" (2012).
 struct WeightedParameters : WeightedCollapseParameters {
     std::size_t targetFaces = 0; ///< at least 1
-    Progress progress;           ///< may be empty
+    StageProgress progress;
 };
 
 namespace weighted_detail

@@ -75,12 +75,12 @@ std::vector<unsigned char> Bytes(const SurfaceArrays& surface)
     return bytes;
 }
 
-float ExactSquaredDistance(const Vector3& p, const SurfaceArrays& surface)
+float ExactSquaredDistance(const Vector3<float>& p, const SurfaceArrays& surface)
 {
     float nearest = std::numeric_limits<float>::max();
     for (const vcg_ext::SurfaceTriangle& t : surface.triangles) {
-        const Vector3 a = PositionOf(surface, t.v[0]);
-        const Vector3 b = PositionOf(surface, t.v[1]) - a, c = PositionOf(surface, t.v[2]) - a;
+        const Vector3<float> a = PositionOf(surface, t.v[0]);
+        const Vector3<float> b = PositionOf(surface, t.v[1]) - a, c = PositionOf(surface, t.v[2]) - a;
         nearest = std::min(nearest, vcg_ext::ClosestOnTriangle(p - a, b, c).distance2);
     }
     return nearest;
@@ -153,7 +153,7 @@ std::vector<Family> Families()
     return families;
 }
 
-Vector3 RandomVector(std::mt19937& random, float size)
+Vector3<float> RandomVector(std::mt19937& random, float size)
 {
     const auto number = [&] { return size * (static_cast<float>(random()) / 2147483648.0F - 1); };
     const float x = number(), y = number();
@@ -201,10 +201,10 @@ void TestRefinement::closestPointsInFoursAreThoseOfThePlainForm()
 {
     std::mt19937 random(1);
     for (int i = 0; i < 2000; ++i) {
-        const Vector3 b = RandomVector(random, 1), c = RandomVector(random, 1);
+        const Vector3<float> b = RandomVector(random, 1), c = RandomVector(random, 1);
         const auto prepared = vcg_ext::PrepareTriangle(b, c);
-        vcg_ext::FourPoints points{};
-        std::array<Vector3, 4> p;
+        vcg_ext::Vector3<vcg_ext::Float4> points{};
+        std::array<Vector3<float>, 4> p;
         for (int lane = 0; lane < 4; ++lane) {
             p[static_cast<std::size_t>(lane)] = RandomVector(random, 2);
             points.x[lane] = p[static_cast<std::size_t>(lane)].x;
@@ -213,11 +213,11 @@ void TestRefinement::closestPointsInFoursAreThoseOfThePlainForm()
         }
         const auto four = ClosestOnTriangle(points, prepared);
         for (int lane = 0; lane < 4; ++lane) {
-            const Vector3 query = p[static_cast<std::size_t>(lane)];
+            const Vector3<float> query = p[static_cast<std::size_t>(lane)];
             const auto one = vcg_ext::ClosestOnTriangle(query, b, c);
             QVERIFY(Near(four.distance2[lane], one.distance2, 10));
             const float* w = one.weights;
-            const Vector3 difference = query - w[1] * b - w[2] * c;
+            const Vector3<float> difference = query - w[1] * b - w[2] * c;
             QVERIFY(Near(four.difference.x[lane], difference.x, 10));
             QVERIFY(Near(four.difference.y[lane], difference.y, 10));
             QVERIFY(Near(four.difference.z[lane], difference.z, 10));
@@ -233,12 +233,13 @@ void TestRefinement::closestPointsInFoursAreThoseOfThePlainForm()
 
 void TestRefinement::closestPointOfADegenerateTriangleIsThatOfItsLongestEdge()
 {
-    const std::array<std::pair<Vector3, Vector3>, 4> triangles{
+    const std::array<std::pair<Vector3<float>, Vector3<float>>, 4> triangles{
         {{{1, 0, 0}, {2, 0, 0}}, {{2, 0, 0}, {2, 0, 0}}, {{0, 0, 0}, {2, 0, 0}}, {{2, 0, 0}, {0, 0, 0}}}};
     for (const auto& [b, c] : triangles) {
         const auto plain = vcg_ext::ClosestOnTriangle({1.5F, 1, 0}, b, c);
         QCOMPARE(plain.distance2, 1.0F);
-        const vcg_ext::FourPoints p{vcg_ext::Splat(1.5F), vcg_ext::Splat(1.0F), vcg_ext::Splat(0.0F)};
+        const vcg_ext::Vector3<vcg_ext::Float4> p{vcg_ext::Splat(1.5F), vcg_ext::Splat(1.0F),
+                                                  vcg_ext::Splat(0.0F)};
         const auto four = ClosestOnTriangle(p, vcg_ext::PrepareTriangle(b, c));
         QCOMPARE(four.distance2[0], 1.0F);
         QVERIFY(!four.inside[0]);
@@ -289,7 +290,7 @@ void TestRefinement::everySampleKnowsItsFaceAndItsDistance()
                 QCOMPARE(sample.face, f);
                 ++listed[i];
                 const auto& t = surface.triangles[f];
-                const Vector3 a = PositionOf(surface, t.v[0]);
+                const Vector3<float> a = PositionOf(surface, t.v[0]);
                 const auto closest = vcg_ext::ClosestOnTriangle(
                     PositionOf(sample) - a, PositionOf(surface, t.v[1]) - a, PositionOf(surface, t.v[2]) - a);
                 QVERIFY(std::abs(std::sqrt(sample.distance2) - std::sqrt(closest.distance2)) < 0.05F);
@@ -376,7 +377,7 @@ void TestRefinement::noFaceTurns()
     QFETCH(int, family);
     const Family meshes = Families()[static_cast<std::size_t>(family)];
     Pair pair = MakePair(meshes.original, meshes.simplified);
-    std::vector<Vector3> before;
+    std::vector<Vector3<float>> before;
     for (std::uint32_t f = 0; f < pair.simplified.FaceCount(); ++f)
         before.push_back(AreaVector(pair.simplified, f));
     RefinementParameters parameters;
@@ -408,11 +409,11 @@ void TestRefinement::borderAndFixedVerticesStay()
         std::vector<std::uint8_t> fixed(family.simplified.points.size(), 0);
         for (std::size_t v = 0; v < fixed.size(); v += 3) fixed[v] = 1;
         Pair pair = MakePair(family.original, family.simplified, fixed);
-        std::vector<Vector3> before;
+        std::vector<Vector3<float>> before;
         for (std::uint32_t v = 0; v < fixed.size(); ++v) before.push_back(PositionOf(pair.simplified, v));
         Refine(pair);
         for (std::uint32_t v = 0; v < fixed.size(); ++v) {
-            const Vector3 now = PositionOf(pair.simplified, v);
+            const Vector3<float> now = PositionOf(pair.simplified, v);
             const bool same = now.x == before[v].x && now.y == before[v].y && now.z == before[v].z;
             const std::uint8_t flags = pair.simplified.flags[v];
             if (flags & (vcg_ext::kBorderVertex | vcg_ext::kFixedVertex)) QVERIFY(same);

@@ -33,12 +33,12 @@ constexpr float kFar = std::numeric_limits<float>::max();
 struct Truth {
     float along2 = kFar, against2 = kFar;
 };
-Truth LookAtAll(const SurfaceArrays& surface, const Vector3& p, const Vector3& direction)
+Truth LookAtAll(const SurfaceArrays& surface, const Vector3<float>& p, const Vector3<float>& direction)
 {
     Truth truth;
     for (std::uint32_t f = 0; f < surface.FaceCount(); ++f) {
         const auto& v = surface.triangles[f].v;
-        const Vector3 a = PositionOf(surface, v[0]);
+        const Vector3<float> a = PositionOf(surface, v[0]);
         const float d2 =
             vcg_ext::ClosestOnTriangle(p - a, PositionOf(surface, v[1]) - a, PositionOf(surface, v[2]) - a)
                 .distance2;
@@ -114,9 +114,11 @@ class TestUnfold : public QObject
             std::mt19937 random(7);
             std::normal_distribution<float> gauss;
             for (int i = 0; i < 400; ++i) {
-                const auto vector = [&] { return Vector3{gauss(random), gauss(random), gauss(random)}; };
-                const Vector3 p = 300.0F * vector(), towards = vector();
-                const Vector3 direction = (1 / Norm(towards)) * towards;
+                const auto vector = [&] {
+                    return Vector3<float>{gauss(random), gauss(random), gauss(random)};
+                };
+                const Vector3<float> p = 300.0F * vector(), towards = vector();
+                const Vector3<float> direction = (1 / Norm(towards)) * towards;
                 const Truth truth = LookAtAll(surface, p, direction);
                 const float nearest2 = std::min(truth.along2, truth.against2);
                 // single precision at distances of hundreds: a few units in the seventh digit of 300^2
@@ -142,16 +144,17 @@ class TestUnfold : public QObject
         const auto frame = vcg_ext::FrameOf(View(mesh));
         const SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
         const FaceTree tree(View(mesh), frame, 1);
-        const Vector3 low{-100, 20, -1}, high{-50, 90, 1};
+        const Vector3<float> low{-100, 20, -1}, high{-50, 90, 1};
         std::vector<int> visits(mesh.triangles.size(), 0);
-        tree.ForEachNear(low, high,
-                         [&](std::uint32_t f, const Vector3& a, const Vector3& ab, const Vector3&) {
-                             ++visits[f];
-                             QVERIFY(Norm(a - PositionOf(surface, surface.triangles[f].v[0])) < 1e-3F);
-                             QVERIFY(Norm(a + ab - PositionOf(surface, surface.triangles[f].v[1])) < 1e-3F);
-                         });
+        tree.ForEachNear(
+            low, high,
+            [&](std::uint32_t f, const Vector3<float>& a, const Vector3<float>& ab, const Vector3<float>&) {
+                ++visits[f];
+                QVERIFY(Norm(a - PositionOf(surface, surface.triangles[f].v[0])) < 1e-3F);
+                QVERIFY(Norm(a + ab - PositionOf(surface, surface.triangles[f].v[1])) < 1e-3F);
+            });
         for (std::uint32_t f = 0; f < visits.size(); ++f) {
-            const Vector3 c = Centroid(surface, f);
+            const Vector3<float> c = Centroid(surface, f);
             const bool inside = c.x > low.x && c.x < high.x && c.y > low.y && c.y < high.y;
             const bool far =
                 c.x < low.x - 200 || c.x > high.x + 200 || c.y < low.y - 200 || c.y > high.y + 200;

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/small_algebra.h"
-
+#include "vcg_ext/core/geometry/symmetric_matrix.h"
 namespace vcg_ext::sweeps
 {
 
@@ -68,33 +66,18 @@ struct EdgeEnd {
     CentredQuadric<Real> history; ///< A: the weighted planes of every original face that ended up here
 };
 
-/// argmin of x^T (M + e I) x - 2 rhs.x by LDL^T, e = 1e-6 of the mean eigenvalue. The pivots are held at e /
-/// 2 or above, so that rounding cannot make the solution wild.
+/// What keeps a minimiser of \p m near the edge's midpoint.
 template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> SolveRegularized(const SymmetricMatrix3<Real>& m,
-                                                             const Vector3<Real>& rhs)
+[[gnu::always_inline]] inline Real MidpointPull(const SymmetricMatrix3<Real>& m)
 {
-    const Real pull = Max(m.Trace() * kMidpointPull, Fill<Real>(kTiny));
-    const Real floor = 0.5f * pull;
-    const Real inverse0 = 1.0f / (m.xx + pull);
-    const Real l10 = m.xy * inverse0;
-    const Real l20 = m.xz * inverse0;
-    const Real inverse1 = 1.0f / Max(m.yy + pull - l10 * m.xy, floor);
-    const Real t = m.yz - l20 * m.xy;
-    const Real l21 = t * inverse1;
-    const Real pivot2 = Max(m.zz + pull - l20 * m.xz - l21 * t, floor);
-    const Real y1 = rhs.y - l10 * rhs.x;
-    const Real y2 = rhs.z - l20 * rhs.x - l21 * y1;
-    const Real z = y2 / pivot2;
-    const Real y = y1 * inverse1 - l21 * z;
-    return {rhs.x * inverse0 - l10 * y - l20 * z, y, z};
+    return Max(m.Trace() * kMidpointPull, Broadcast<Real>(kTiny));
 }
 
 /// Half the way from a to b.
 template <class Real>
 [[gnu::always_inline]] inline Vector3<Real> HalfEdgeVector(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b)
 {
-    return Fill<Real>(0.5f) * (b.position - a.position);
+    return Broadcast<Real>(0.5f) * (b.position - a.position);
 }
 
 /// Where the edge's new vertex belongs, as offset from its midpoint: the minimum of w_a C_a + w_b C_b.
@@ -105,7 +88,8 @@ template <class Real>
 {
     const SymmetricMatrix3<Real> ca = a.weight * a.star;
     const SymmetricMatrix3<Real> cb = b.weight * b.star;
-    return SolveRegularized(ca + cb, (cb - ca) * half);
+    const SymmetricMatrix3<Real> both = ca + cb;
+    return SolveRegularized(both, (cb - ca) * half, MidpointPull(both));
 }
 
 /// g: the memoryless quadric at the placement, at least a part of the accumulated ones, and a little length.
@@ -153,8 +137,8 @@ template <class Real>
     // Both planes contain the middle of their own star's boundary; seen from the midpoint, their sum asks for
     // G.t = (G_b - G_a).half.
     const Real height = weight * Dot(areas.b - areas.a, half);
-    return SolveRegularized(ca + cb + weight * OuterProduct(areas.both),
-                            (cb - ca) * half + height * areas.both);
+    const SymmetricMatrix3<Real> matrix = ca + cb + weight * OuterProduct(areas.both);
+    return SolveRegularized(matrix, (cb - ca) * half + height * areas.both, MidpointPull(matrix));
 }
 
 /// m = n / sqrt|n| of a face with n = 2 area x unit normal: m m^T is 2 area times its plane's quadric. 0
@@ -190,7 +174,7 @@ struct StarSums {
     void Add(const Vector3<Real>& a, const Vector3<Real>& b, const Real& lengthA, const Real& lengthB,
              const Vector3<Real>& scaledNormal, const Real& inverseRoot)
     {
-        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Fill<Real>(kTiny));
+        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Broadcast<Real>(kTiny));
         const Real chord = Sqrt(Max(Real{}, 2.0f - 2.0f * cosine)) * inverseRoot;
         edges = edges + (a + b);
         normal = normal + chord * scaledNormal;
@@ -238,7 +222,7 @@ template <class Real>
     const Real normal2 = Dot(normal, normal);
     const Real a2 = Dot(a, a);
     const Real b2 = Dot(b, b);
-    const Real longest2 = Max(Max(a2, b2), Max(Dot(opposite, opposite), Fill<Real>(kTinyLength2)));
+    const Real longest2 = Max(Max(a2, b2), Max(Dot(opposite, opposite), Broadcast<Real>(kTinyLength2)));
     return {normal, normal2, normal2 / (longest2 * longest2), Sqrt(a2), Sqrt(b2)};
 }
 

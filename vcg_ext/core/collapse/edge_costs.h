@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
-
 namespace vcg_ext::sweeps
 {
 

@@ -44,7 +44,7 @@ class SweepSchedule
     }
 
     /// Collapses until at most \p target faces are left. \param report called between sweeps with the part of
-    /// the way that is done, in [0, 1]; false stops the run
+    /// the way that is done, in [0, 1]
     template <class Report>
     StopReason Run(std::size_t target, const Report& report)
     {
@@ -54,7 +54,7 @@ class SweepSchedule
         while (state_.aliveFaces > target) {
             const auto way =
                 static_cast<double>(start - state_.aliveFaces) / static_cast<double>(start - target);
-            if (!report(way)) return StopReason::Cancelled;
+            report(way);
             const std::size_t died = runner_.Sweep(step, target);
             if (died > 0)
                 step = NextStep(step, died, target);

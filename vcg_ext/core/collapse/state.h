@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/collapse/cost.h"
 #include "vcg_ext/core/mesh/decimation_types.h"
 #include "vcg_ext/core/mesh/surface_arrays.h"

@@ -12,7 +12,7 @@
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/descriptor/one_ring_descriptors.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/descriptor/vertex_normals.h"
 #include "vcg_ext/core/descriptor/vertex_sums.h"
 

@@ -11,13 +11,12 @@
 #include "vcg_ext/core/mesh/decimation_types.h"
 #include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/small_algebra.h"
+#include "vcg_ext/core/base/float8.h"
+#include "vcg_ext/core/geometry/vector.h"
 
 // One pass over the faces that adds up, at every vertex, what the Laplacian descriptor is made of. Every
 // neighbour is counted by the face in which it is the next vertex; where that does not count every neighbour
 // once the sums tell so.
-
 namespace vcg_ext
 {
 
@@ -75,7 +74,7 @@ struct VertexRange {
 template <class Real, class Scalar>
 class FaceBatch
 {
-    using Vectors = sweeps::Vector3<Real>;
+    using Vectors = Vector3<Real>;
     static constexpr std::size_t kFaces = kLanesOf<Real>;
 
     Vectors edge_[3]; ///< from vertex k to the next

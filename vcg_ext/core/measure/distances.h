@@ -180,7 +180,7 @@ inline std::size_t CountFolded(const ClosestSurface& original, const MeasuredMes
 }
 
 /// The tenth of the referenced vertices with the largest value; ties by index.
-inline std::vector<std::uint32_t> LargestTenth(const MeshView& view, const std::vector<double>& value)
+inline std::vector<std::uint32_t> LargestTenth(const MeshView& view, const std::vector<float>& value)
 {
     std::vector<bool> used(view.vertexCount);
     for (std::size_t k = 0; k < 3 * view.faceCount; ++k) used[view.triangles[k]] = true;
@@ -202,7 +202,7 @@ inline std::vector<std::uint32_t> LargestTenth(const MeshView& view, const std::
 /// \param descriptor one value a vertex of \p original, says where its features are
 /// \pre both have a face; finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const DecimatedMesh& simplified,
-                                       const std::vector<double>& descriptor, std::size_t samples = 100000,
+                                       const std::vector<float>& descriptor, std::size_t samples = 100000,
                                        int threads = 0)
 {
     using namespace distance_detail;

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <functional>
-#include <utility>
 #include <vector>
+
+#include "vcg_ext/core/base/progress.h"
 
 namespace vcg_ext
 {
@@ -69,18 +70,6 @@ enum class Order {
 
 enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancelled = 3 };
 
-/// Called on the calling thread with 0..100 and what is being done; false asks the run to stop.
-using Progress = std::function<bool(int percent, const char* stage)>;
-
-/// \p progress with its 0..100 mapped to from..to; empty where it is.
-inline Progress ProgressPart(Progress progress, int from, int to)
-{
-    if (!progress) return {};
-    return [progress = std::move(progress), from, to](int percent, const char* stage) {
-        return progress(from + percent * (to - from) / 100, stage);
-    };
-}
-
 /// What a decimation does. The defaults are those of the filter.
 struct DecimationParameters {
     std::size_t targetFaces = 0; ///< at least 1; as many faces as remain at the most, where it can be reached
@@ -89,8 +78,9 @@ struct DecimationParameters {
     Boundary boundary = Boundary::Preserve;
     bool preserveTopology = false; ///< full link condition: handles and holes stay
     Order order = Order::Sweeps;
-    int threads = 0;   ///< 0: all; the result does not depend on it
-    Progress progress; ///< may be empty
+    int threads = 0;          ///< 0: all; the result does not depend on it
+    bool measureError = true; ///< fill DecimationReport::distances
+    Progress progress;        ///< may be empty
 };
 
 /// The outcome: a subset of the input's vertices and faces, vertices at new places, both in input order.
@@ -99,9 +89,22 @@ struct DecimatedMesh {
     std::vector<std::uint32_t> vertexOrigin;             ///< the input vertex that each vertex was
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of positions
     std::vector<std::uint32_t> faceOrigin;               ///< the input face that each face was
-    std::vector<std::uint32_t> inputOrder; ///< all input faces, those near each other in space near each
-                                           ///< other here; empty where the collapse had no use for an order
     StopReason stopReason = StopReason::Target;
 };
+
+/// Referenced vertices with a coordinate that is not a finite number.
+inline std::size_t CountNonFinite(const MeshView& view)
+{
+    std::vector<bool> counted(view.vertexCount);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3 * view.faceCount; ++k) {
+        const std::uint32_t v = view.triangles[k];
+        if (counted[v]) continue;
+        counted[v] = true;
+        const auto p = view.Position(v);
+        count += !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+    }
+    return count;
+}
 
 } // namespace vcg_ext

@@ -13,7 +13,7 @@
 #include "vcg_ext/core/mesh/face_tree_nodes.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/mesh/surface_builder.h"
 #include "vcg_ext/core/base/morton.h"
 
@@ -82,7 +82,7 @@ class FaceTree
     /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
     /// unit vector? \param along2 squared distance to some face that does not, if one is known: that saves
     /// most of the time
-    bool LooksAgainst(const Vector3& point, const Vector3& direction, float along2 = kFar) const
+    bool LooksAgainst(const Vector3<float>& point, const Vector3<float>& direction, float along2 = kFar) const
     {
         // Most often all faces around look along it. That is seen without finding the closest one: none that
         // looks against it may be closer than some face that does not.
@@ -108,7 +108,7 @@ class FaceTree
 
     /// Squared distance to the nearest face that does not look against \p direction; the largest float where
     /// all do.
-    float DistanceAlong2(const Vector3& point, const Vector3& direction) const
+    float DistanceAlong2(const Vector3<float>& point, const Vector3<float>& direction) const
     {
         Sides sides;
         const auto someLookAlong = [&](const FourNodes& nodes) {
@@ -122,17 +122,17 @@ class FaceTree
     }
 
     /// The point of the surface that is closest to \p point.
-    Vector3 Closest(const Vector3& point) const
+    Vector3<float> Closest(const Vector3<float>& point) const
     {
         float best2 = kFar;
-        Vector3 closest;
+        Vector3<float> closest{};
         Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
             const FourClosestPoints hits = ClosestOnTriangle(faces.Seen(point), faces.Prepared());
             for (int lane = 0; lane < kLanes; ++lane) {
                 if (!(hits.distance2[lane] < best2)) continue;
                 best2 = hits.distance2[lane];
-                const FourPoints& away = hits.difference;
-                closest = point - Vector3{away.x[lane], away.y[lane], away.z[lane]};
+                const Vector3<Float4>& away = hits.difference;
+                closest = point - Vector3<float>{away.x[lane], away.y[lane], away.z[lane]};
             }
             return best2;
         });
@@ -140,7 +140,7 @@ class FaceTree
     }
 
     /// Squared distance to the surface.
-    float Distance2(const Vector3& point) const
+    float Distance2(const Vector3<float>& point) const
     {
         float best2 = kFar;
         Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
@@ -155,7 +155,7 @@ class FaceTree
     /// among them; a is the first corner, ab and ac lead to the others. In an order that depends on the mesh
     /// only.
     template <class Visit>
-    void ForEachNear(const Vector3& low, const Vector3& high, const Visit& visit) const
+    void ForEachNear(const Vector3<float>& low, const Vector3<float>& high, const Visit& visit) const
     {
         ForEachNear(levels_.size(), 0, {{low.x, low.y, low.z}, {high.x, high.y, high.z}}, visit);
     }
@@ -215,8 +215,8 @@ class FaceTree
     {
         return sides.along2 > kOnSurface2 && sides.against2 <= sides.along2 * kTie;
     }
-    static void Closer(const FourTriangles& faces, const Vector3& point, const Vector3& direction,
-                       Sides& sides)
+    static void Closer(const FourTriangles& faces, const Vector3<float>& point,
+                       const Vector3<float>& direction, Sides& sides)
     {
         const PreparedTriangle<Float4> t = faces.Prepared();
         const FourClosestPoints closest = ClosestOnTriangle(faces.Seen(point), t);
@@ -234,7 +234,7 @@ class FaceTree
     /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p
     /// limit2, which the last call returned, as long as wanted(nodes) has its ancestors.
     template <class Wanted, class Visit>
-    void Search(const Vector3& point, const Wanted& wanted, float limit2, const Visit& visit) const
+    void Search(const Vector3<float>& point, const Wanted& wanted, float limit2, const Visit& visit) const
     {
         struct Entry {
             float distance2;
@@ -280,7 +280,7 @@ class FaceTree
         for (std::size_t place = node * kFacesPerLeaf; place < end; ++place) {
             const std::uint32_t face = faces_[place];
             const Float4 a = Corner(face, 0), b = Corner(face, 1) - a, c = Corner(face, 2) - a;
-            const auto vector = [](Float4 p) { return Vector3{p[0], p[1], p[2]}; };
+            const auto vector = [](Float4 p) { return Vector3<float>{p[0], p[1], p[2]}; };
             visit(face, vector(a), vector(b), vector(c));
         }
     }

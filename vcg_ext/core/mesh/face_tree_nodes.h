@@ -11,7 +11,7 @@
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float4.h"
 
 // The nodes of a FaceTree: four children side by side, so that they are tested at once.
 
@@ -35,21 +35,21 @@ inline bool Overlap(const Box& a, const Box& b)
 struct alignas(16) FourVectors {
     float row[3][kLanes];
 
-    void Put(std::size_t lane, const Vector3& p)
+    void Put(std::size_t lane, const Vector3<float>& p)
     {
         row[0][lane] = p.x;
         row[1][lane] = p.y;
         row[2][lane] = p.z;
     }
-    Vector3 At(std::size_t lane) const { return {row[0][lane], row[1][lane], row[2][lane]}; }
+    Vector3<float> At(std::size_t lane) const { return {row[0][lane], row[1][lane], row[2][lane]}; }
     Float4 operator[](std::size_t k) const { return Load(row[k]); }
 };
 
 /// Some faces of a leaf.
 struct FourTriangles {
-    FourPoints a, b, c; ///< the first corner, and the others seen from it
+    Vector3<Float4> a, b, c; ///< the first corner, and the others seen from it
 
-    FourPoints Seen(const Vector3& p) const { return {p.x - a.x, p.y - a.y, p.z - a.z}; }
+    Vector3<Float4> Seen(const Vector3<float>& p) const { return {p.x - a.x, p.y - a.y, p.z - a.z}; }
     PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z); }
 };
 
@@ -63,7 +63,7 @@ struct FourBoxes {
     }
     Box At(std::size_t lane) const
     {
-        const Vector3 l = low.At(lane), h = high.At(lane);
+        const Vector3<float> l = low.At(lane), h = high.At(lane);
         return {{l.x, l.y, l.z}, {h.x, h.y, h.z}};
     }
     Box Around() const
@@ -72,7 +72,7 @@ struct FourBoxes {
                 {MaxLane(high[0]), MaxLane(high[1]), MaxLane(high[2])}};
     }
     /// Squared distances from \p p.
-    Float4 Distances2(const Vector3& p) const
+    Float4 Distances2(const Vector3<float>& p) const
     {
         const float at[3] = {p.x, p.y, p.z};
         Float4 sum{};
@@ -83,7 +83,7 @@ struct FourBoxes {
         return sum;
     }
     /// Of all vectors in each box, the least dot product with \p direction.
-    Float4 LeastDots(const Vector3& direction) const
+    Float4 LeastDots(const Vector3<float>& direction) const
     {
         const float n[3] = {direction.x, direction.y, direction.z};
         Float4 least{};
@@ -91,7 +91,7 @@ struct FourBoxes {
         return least;
     }
     /// The greatest.
-    Float4 GreatestDots(const Vector3& direction) const { return -LeastDots(-1.0F * direction); }
+    Float4 GreatestDots(const Vector3<float>& direction) const { return -LeastDots(-1.0F * direction); }
 };
 
 struct FourNodes {

@@ -21,6 +21,7 @@ namespace vcg_ext
 struct SurfaceFrame {
     std::array<double, 3> center{0, 0, 0};
     double scale = 1; ///< frame units per unit of the mesh, > 0
+    double unit = 1;  ///< 1 / scale: length in the mesh of one frame unit
 
     SurfacePoint ToFrame(const std::array<double, 3>& p, float weight) const
     {
@@ -30,8 +31,8 @@ struct SurfaceFrame {
     }
     std::array<double, 3> FromFrame(const SurfacePoint& p) const
     {
-        return {static_cast<double>(p.x) / scale + center[0], static_cast<double>(p.y) / scale + center[1],
-                static_cast<double>(p.z) / scale + center[2]};
+        return {static_cast<double>(p.x) * unit + center[0], static_cast<double>(p.y) * unit + center[1],
+                static_cast<double>(p.z) * unit + center[2]};
     }
 };
 
@@ -53,7 +54,9 @@ inline SurfaceFrame FrameOf(const MeshView& view)
     }
     for (std::size_t i = 0; i < 3; ++i) frame.center[i] = low[i] + (high[i] - low[i]) / 2;
     const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    if (diagonal > 0) frame.scale = kFrameDiagonal / diagonal;
+    if (!(diagonal > 0)) return frame;
+    frame.scale = kFrameDiagonal / diagonal;
+    frame.unit = diagonal / kFrameDiagonal;
     return frame;
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/geometry/vector3.h"
+#include "vcg_ext/core/geometry/vector.h"
 
 namespace vcg_ext
 {
@@ -42,22 +42,22 @@ inline bool HasVertex(const SurfaceTriangle& triangle, std::uint32_t v)
 {
     return triangle.v[0] == v || triangle.v[1] == v || triangle.v[2] == v;
 }
-inline Vector3 PositionOf(const SurfaceArrays& surface, std::uint32_t v)
+inline Vector3<float> PositionOf(const SurfaceArrays& surface, std::uint32_t v)
 {
     const SurfacePoint& p = surface.points[v];
     return {p.x, p.y, p.z};
 }
-inline Vector3 Centroid(const SurfaceArrays& surface, std::uint32_t f)
+inline Vector3<float> Centroid(const SurfaceArrays& surface, std::uint32_t f)
 {
     const SurfaceTriangle& t = surface.triangles[f];
-    const Vector3 a = PositionOf(surface, t.v[0]);
+    const Vector3<float> a = PositionOf(surface, t.v[0]);
     return a + (1.0F / 3) * ((PositionOf(surface, t.v[1]) - a) + (PositionOf(surface, t.v[2]) - a));
 }
 /// Along the normal, as long as twice the area.
-inline Vector3 AreaVector(const SurfaceArrays& surface, std::uint32_t f)
+inline Vector3<float> AreaVector(const SurfaceArrays& surface, std::uint32_t f)
 {
     const SurfaceTriangle& t = surface.triangles[f];
-    const Vector3 a = PositionOf(surface, t.v[0]);
+    const Vector3<float> a = PositionOf(surface, t.v[0]);
     return Cross(PositionOf(surface, t.v[1]) - a, PositionOf(surface, t.v[2]) - a);
 }
 

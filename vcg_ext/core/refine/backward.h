@@ -11,7 +11,7 @@
 #include "vcg_ext/core/refine/equations.h"
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/star.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/mesh/surface_arrays.h"
 #include "vcg_ext/core/mesh/surface_corners.h"
 
@@ -21,10 +21,10 @@ namespace vcg_ext::refinement
 /// Four points of the simplified surface whose distances to the original count. Lanes behind the last repeat
 /// it with weight 0.
 struct BackwardGroup {
-    FourPoints position; ///< in the frame of the arrays
-    Float4 weight;       ///< area, times the weight of the backward term
-    Float4 leverage;     ///< part of the vertex's step that the point makes
-    Place* hint[4];      ///< face of the original found last, or where to look first
+    Vector3<Float4> position; ///< in the frame of the arrays
+    Float4 weight;            ///< area, times the weight of the backward term
+    Float4 leverage;          ///< part of the vertex's step that the point makes
+    Place* hint[4];           ///< face of the original found last, or where to look first
 };
 
 class BackwardPoints
@@ -38,7 +38,7 @@ class BackwardPoints
         groups_.Clear();
         count_ = 0;
     }
-    void Add(const Vector3& position, float weight, float leverage, Place* hint)
+    void Add(const Vector3<float>& position, float weight, float leverage, Place* hint)
     {
         const int lane = static_cast<int>(count_++ % kLanes);
         BackwardGroup& group = lane == 0 ? groups_.Append() : groups_[groups_.size() - 1];
@@ -57,18 +57,18 @@ class BackwardPoints
 
 /// The triangles of four faces of a surface, each seen from its first corner, and a point of each.
 struct FourFaces {
-    FourPoints point, b, c;
+    Vector3<Float4> point, b, c;
 };
-inline FourFaces LoadFaces(const SurfaceArrays& surface, const std::uint32_t* faces, const FourPoints& p)
+inline FourFaces LoadFaces(const SurfaceArrays& surface, const std::uint32_t* faces, const Vector3<Float4>& p)
 {
     const auto corner = [&](int k) {
         const auto at = [&](int lane) { return &surface.points[surface.triangles[faces[lane]].v[k]].x; };
-        FourPoints q;
+        Vector3<Float4> q;
         Float4 weight;
         LoadTransposed(at(0), at(1), at(2), at(3), q.x, q.y, q.z, weight);
         return q;
     };
-    const FourPoints a = corner(0), b = corner(1), c = corner(2);
+    const Vector3<Float4> a = corner(0), b = corner(1), c = corner(2);
     return {{p.x - a.x, p.y - a.y, p.z - a.z},
             {b.x - a.x, b.y - a.y, b.z - a.z},
             {c.x - a.x, c.y - a.y, c.z - a.z}};
@@ -93,24 +93,24 @@ class BackwardSearch
     /// Of four points: squared distance, vector to the closest point, and whether there is one.
     struct FourHits {
         Float4 distance2;
-        FourPoints residual;
+        Vector3<Float4> residual;
         Int4 found;
     };
 
     explicit BackwardSearch(const SurfaceArrays& original) : original_(original) {}
 
     /// The closest places that walks from the hints find; the hints become their faces.
-    FourHits Find(const FourPoints& points, Place* const* hints) const
+    FourHits Find(const Vector3<Float4>& points, Place* const* hints) const
     {
         FourHits hits = TestHints(points, hints);
         const int done = LaneBits(hits.found);
         for (int lane = 0; lane < kLanes; ++lane) {
             if (done >> lane & 1) continue;
-            const Vector3 p{points.x[lane], points.y[lane], points.z[lane]};
+            const Vector3<float> p{points.x[lane], points.y[lane], points.z[lane]};
             const Hit hit = Walk(p, *hints[lane]);
             if (hit.face == kNone) continue;
             *hints[lane] = hit.face | kFacePlace;
-            const Vector3 residual = Residual(p, hit);
+            const Vector3<float> residual = Residual(p, hit);
             hits.distance2[lane] = hit.distance2;
             hits.residual.x[lane] = residual.x;
             hits.residual.y[lane] = residual.y;
@@ -126,7 +126,7 @@ class BackwardSearch
         return closest.weights[0] > kInside && closest.weights[1] > kInside && closest.weights[2] > kInside;
     }
     /// Most points are still over the face found last: found where that is so.
-    FourHits TestHints(const FourPoints& points, Place* const* hints) const
+    FourHits TestHints(const Vector3<Float4>& points, Place* const* hints) const
     {
         std::uint32_t faces[kLanes];
         Int4 known;
@@ -136,7 +136,7 @@ class BackwardSearch
             faces[lane] = IsFace(hint) ? hint & ~kFacePlace : 0;
         }
         const auto [p, b, c] = LoadFaces(original_, faces, points);
-        const FourPoints n{b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
+        const Vector3<Float4> n{b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
         const Float4 bb = SquaredNorm(b), cc = SquaredNorm(c), n2 = SquaredNorm(n);
         const Float4 bc = b.x * c.x + b.y * c.y + b.z * c.z;
         const Float4 pb = p.x * b.x + p.y * b.y + p.z * b.z, pc = p.x * c.x + p.y * c.y + p.z * c.z;
@@ -149,7 +149,7 @@ class BackwardSearch
         hits.residual = {-height * n.x, -height * n.y, -height * n.z};
         return hits;
     }
-    Hit Walk(const Vector3& p, Place hint) const
+    Hit Walk(const Vector3<float>& p, Place hint) const
     {
         Hit hit;
         std::uint32_t around = hint;
@@ -171,21 +171,21 @@ class BackwardSearch
         return hit;
     }
     /// From \p p to the closest point; along the normal of the face where it lies inside.
-    Vector3 Residual(const Vector3& p, const Hit& hit) const
+    Vector3<float> Residual(const Vector3<float>& p, const Hit& hit) const
     {
         const SurfaceTriangle& t = original_.triangles[hit.face];
-        const Vector3 a = PositionOf(original_, t.v[0]);
-        const Vector3 b = PositionOf(original_, t.v[1]) - a, c = PositionOf(original_, t.v[2]) - a;
-        const Vector3 query = p - a;
+        const Vector3<float> a = PositionOf(original_, t.v[0]);
+        const Vector3<float> b = PositionOf(original_, t.v[1]) - a, c = PositionOf(original_, t.v[2]) - a;
+        const Vector3<float> query = p - a;
         if (!IsInside(hit.closest)) return hit.closest.weights[1] * b + hit.closest.weights[2] * c - query;
-        const Vector3 normal = Cross(b, c);
+        const Vector3<float> normal = Cross(b, c);
         const float normal2 = SquaredNorm(normal);
-        return normal2 > 0 ? (-Dot(query, normal) / normal2) * normal : Vector3{};
+        return normal2 > 0 ? (-Dot(query, normal) / normal2) * normal : Vector3<float>{};
     }
-    ClosestPoint ClosestOnFace(const Vector3& p, std::uint32_t face) const
+    ClosestPoint ClosestOnFace(const Vector3<float>& p, std::uint32_t face) const
     {
         const SurfaceTriangle& t = original_.triangles[face];
-        const Vector3 a = PositionOf(original_, t.v[0]);
+        const Vector3<float> a = PositionOf(original_, t.v[0]);
         return ClosestOnTriangle(p - a, PositionOf(original_, t.v[1]) - a, PositionOf(original_, t.v[2]) - a);
     }
     /// The corner nearest to the closest point, or kNone where its star is too large to be searched.
@@ -197,11 +197,11 @@ class BackwardSearch
         return original_.cornerCount[v] <= kLargestSearchedStar ? v : kNone;
     }
     /// Four faces at once; true where one is closer than \p hit, which it then is.
-    bool SearchStar(const Vector3& p, std::uint32_t v, Hit& hit) const
+    bool SearchStar(const Vector3<float>& p, std::uint32_t v, Hit& hit) const
     {
         const Corner* corners = BeginCorners(original_, v);
         const std::size_t count = original_.cornerCount[v];
-        const FourPoints query{Splat(p.x), Splat(p.y), Splat(p.z)};
+        const Vector3<Float4> query{Splat(p.x), Splat(p.y), Splat(p.z)};
         bool found = false;
         for (std::size_t i = 0; i < count; i += kLanes) {
             std::uint32_t faces[kLanes];
@@ -224,7 +224,7 @@ class BackwardSearch
 };
 
 /// Does a face with that normal look away from the face of \p original that was found below it?
-inline bool LooksAway(const SurfaceArrays& original, Place below, const Vector3& normal)
+inline bool LooksAway(const SurfaceArrays& original, Place below, const Vector3<float>& normal)
 {
     return below != kNone && IsFace(below) && Dot(AreaVector(original, below & ~kFacePlace), normal) < 0;
 }
@@ -240,15 +240,16 @@ struct BackwardEnergy {
 /// \param stop the sum ends where it is larger
 /// \param equations may be null
 inline BackwardEnergy MeasureBackward(const BackwardSearch& search, BackwardPoints& points,
-                                      const Vector3& step, float limit2, double stop, EquationSums* equations)
+                                      const Vector3<float>& step, float limit2, double stop,
+                                      EquationSums* equations)
 {
     constexpr float kSmallestResidual2 = 1e-14F; // below, a residual has no direction
     BackwardEnergy sum;
     Float4 largest = Splat(0.0F);
     for (const BackwardGroup& group : points) {
-        const FourPoints position{group.position.x + group.leverage * step.x,
-                                  group.position.y + group.leverage * step.y,
-                                  group.position.z + group.leverage * step.z};
+        const Vector3<Float4> position{group.position.x + group.leverage * step.x,
+                                       group.position.y + group.leverage * step.y,
+                                       group.position.z + group.leverage * step.z};
         const BackwardSearch::FourHits hits = search.Find(position, group.hint);
         const Float4 distance2 = OrZero(hits.found, Min(hits.distance2, Splat(limit2)));
         largest = Max(largest, distance2);
@@ -258,8 +259,8 @@ inline BackwardEnergy MeasureBackward(const BackwardSearch& search, BackwardPoin
             const Int4 counts =
                 hits.found & (hits.distance2 <= Splat(limit2)) & (length2 > Splat(kSmallestResidual2));
             const Float4 inverse = 1.0F / Sqrt(Max(length2, Splat(kSmallestResidual2)));
-            const FourPoints r{OrZero(counts, hits.residual.x), OrZero(counts, hits.residual.y),
-                               OrZero(counts, hits.residual.z)};
+            const Vector3<Float4> r{OrZero(counts, hits.residual.x), OrZero(counts, hits.residual.y),
+                                    OrZero(counts, hits.residual.z)};
             equations->Add(OrZero(counts, group.weight * group.leverage), group.leverage,
                            {inverse * r.x, inverse * r.y, inverse * r.z}, r);
         }

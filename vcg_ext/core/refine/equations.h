@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/vector3.h"
+#include "vcg_ext/core/base/float4.h"
+#include "vcg_ext/core/geometry/vector.h"
 
 namespace vcg_ext::refinement
 {
@@ -16,18 +16,19 @@ namespace vcg_ext::refinement
 /// of the step, is away from its target by d, and resists along the direction n of d only.
 struct NormalEquations {
     float xx, xy, xz, yy, yz, zz;
-    Vector3 right;
+    Vector3<float> right;
 };
 
 /// The sums of the equations, four points at a time.
 class EquationSums
 {
     Float4 xx_ = Splat(0.0F), xy_ = xx_, xz_ = xx_, yy_ = xx_, yz_ = xx_, zz_ = xx_;
-    FourPoints right_{xx_, xx_, xx_};
+    Vector3<Float4> right_{xx_, xx_, xx_};
 
   public:
     /// \param weighted w b
-    void Add(Float4 weighted, Float4 leverage, const FourPoints& direction, const FourPoints& residual)
+    void Add(Float4 weighted, Float4 leverage, const Vector3<Float4>& direction,
+             const Vector3<Float4>& residual)
     {
         right_.x += weighted * residual.x;
         right_.y += weighted * residual.y;
@@ -57,7 +58,7 @@ constexpr float kLargestSquaredStep = 1e30F;
 
 /// The step that solves \p e with \p regularisation x the mean diagonal entry added, by a Cholesky
 /// decomposition whose pivots stay positive; nothing where the equations are empty.
-inline std::optional<Vector3> SolveStep(const NormalEquations& e, float regularisation)
+inline std::optional<Vector3<float>> SolveStep(const NormalEquations& e, float regularisation)
 {
     const float trace = e.xx + e.yy + e.zz, added = trace * (regularisation / 3);
     if (!(added > 0)) return std::nullopt;
@@ -68,7 +69,7 @@ inline std::optional<Vector3> SolveStep(const NormalEquations& e, float regulari
     const float pivot2 = std::max(e.zz + added - l2 * e.xz - l21 * mixed, added / 2);
     const float z1 = e.right.y - l1 * e.right.x;
     const float z2 = e.right.z - l2 * e.right.x - l21 * z1;
-    Vector3 step;
+    Vector3<float> step{};
     step.z = z2 / pivot2;
     step.y = z1 / pivot1 - l21 * step.z;
     step.x = e.right.x * inverse0 - l1 * step.y - l2 * step.z;

@@ -28,7 +28,7 @@ class EdgeFlipper
 {
     /// Seen from a.
     struct Shape {
-        Vector3 a, b, c, d; ///< a is absolute, the others are differences from it
+        Vector3<float> a, b, c, d; ///< a is absolute, the others are differences from it
         std::array<PreparedTriangle<float>, 2> before, after; ///< the second one after the flip seen from d
     };
 
@@ -85,10 +85,10 @@ class EdgeFlipper
         s.d = PositionOf(state_.simplified, edge_.d) - s.a;
         s.before = {PrepareTriangle(s.b, s.c), PrepareTriangle(s.d, s.b)};
         s.after = {PrepareTriangle(s.d, s.c), PrepareTriangle(s.b - s.d, s.c - s.d)};
-        const Vector3 old0 = NormalOf(s.before[0]), old1 = NormalOf(s.before[1]);
-        const Vector3 new0 = NormalOf(s.after[0]), new1 = NormalOf(s.after[1]);
+        const Vector3<float> old0 = NormalOf(s.before[0]), old1 = NormalOf(s.before[1]);
+        const Vector3<float> new0 = NormalOf(s.after[0]), new1 = NormalOf(s.after[1]);
         if (!(s.after[0].doubleArea > 0 && s.after[1].doubleArea > 0)) return false;
-        const Vector3 mean = s.before[0].doubleArea * old0 + s.before[1].doubleArea * old1;
+        const Vector3<float> mean = s.before[0].doubleArea * old0 + s.before[1].doubleArea * old1;
         const float least = p.smallestCosine * Norm(mean);
         if (!(Dot(new0, mean) > least && Dot(new1, mean) > least)) return false;
         const float fold = Dot(new0, new1);
@@ -109,14 +109,15 @@ class EdgeFlipper
         double before = 0, after = 0;
         MeasureForward(before, after, old2, new2);
         if (after > before || new2 > std::max(old2, tolerable2)) return false;
-        const BackwardEnergy oldBackward = Backward(Vector3{}, shape_.b, shape_.c, shape_.d, shape_.before,
-                                                    p.backwardOutlier * std::max(old2, state_.meanSquare),
-                                                    std::numeric_limits<double>::max());
+        const BackwardEnergy oldBackward = Backward(
+            Vector3<float>{}, shape_.b, shape_.c, shape_.d, shape_.before,
+            p.backwardOutlier * std::max(old2, state_.meanSquare), std::numeric_limits<double>::max());
         before += oldBackward.energy;
         const double allowed = std::min(before * static_cast<double>(1 - p.flipGain), before - needed);
         if (after >= allowed) return false;
-        const BackwardEnergy newBackward = Backward(shape_.c, shape_.d, Vector3{}, shape_.b, shape_.after,
-                                                    std::numeric_limits<float>::max(), allowed - after);
+        const BackwardEnergy newBackward =
+            Backward(shape_.c, shape_.d, Vector3<float>{}, shape_.b, shape_.after,
+                     std::numeric_limits<float>::max(), allowed - after);
         return after + newBackward.energy < allowed &&
                newBackward.largest2 <= std::max(oldBackward.largest2, tolerable2) &&
                !LooksAway(state_.original, hints_[1], NormalOf(shape_.after[0])) &&
@@ -126,7 +127,7 @@ class EdgeFlipper
     {
         for (SampleGroup& group : groups_) {
             const Float4 first = ClosestOnTriangle(group.point, shape_.after[0]).distance2;
-            const FourPoints fromD = Moved(group.point, -1.0F * shape_.d);
+            const Vector3<Float4> fromD = group.point - Splat(shape_.d);
             const Float4 second = ClosestOnTriangle(fromD, shape_.after[1]).distance2;
             group.newOwner = (second < first) & Splat(1);
             group.newDistance2 = Min(first, second);
@@ -137,22 +138,23 @@ class EdgeFlipper
         }
     }
     /// Of the faces (u, v, x) and (v, u, y), at the midpoint of u v and at both centroids.
-    BackwardEnergy Backward(const Vector3& u, const Vector3& v, const Vector3& x, const Vector3& y,
-                            const std::array<PreparedTriangle<float>, 2>& faces, float limit2, double stop)
+    BackwardEnergy Backward(const Vector3<float>& u, const Vector3<float>& v, const Vector3<float>& x,
+                            const Vector3<float>& y, const std::array<PreparedTriangle<float>, 2>& faces,
+                            float limit2, double stop)
     {
         const RefinementParameters& p = state_.parameters;
         const float area0 = p.backwardWeight * faces[0].doubleArea / 2;
         const float area1 = p.backwardWeight * faces[1].doubleArea / 2;
         std::size_t point = 0;
         points_.Clear();
-        const auto add = [&](const Vector3& position, float weight) {
+        const auto add = [&](const Vector3<float>& position, float weight) {
             hints_[point] = NearestOrigin(state_.samples, groups_, {0, groups_.size()}, position);
             points_.Add(shape_.a + position, weight, 0, &hints_[point++]);
         };
         add(0.5F * (u + v), p.backwardFlippedEdge * (area0 + area1));
         add((1.0F / 3) * (u + v + x), p.backwardFlippedFaces * area0);
         add((1.0F / 3) * (u + v + y), p.backwardFlippedFaces * area1);
-        return MeasureBackward(search_, points_, Vector3{}, limit2, stop, nullptr);
+        return MeasureBackward(search_, points_, Vector3<float>{}, limit2, stop, nullptr);
     }
 
     void Accept()

@@ -32,10 +32,10 @@ class SampleLocator
     void LocateFour(std::uint32_t v, const Star& star, Sample* samples, std::size_t count) const
     {
         const auto at = [&](std::size_t i) { return &samples[std::min(i, count - 1)].x; };
-        FourPoints p;
+        Vector3<Float4> p;
         Float4 weight;
         LoadTransposed(at(0), at(1), at(2), at(3), p.x, p.y, p.z, weight);
-        p = Moved(p, -1.0F * PositionOf(surface_, v));
+        p = p - Splat(PositionOf(surface_, v));
         Float4 best = Splat(std::numeric_limits<float>::max());
         Int4 owner = Splat(0), onRim = Splat(0);
         for (std::size_t i = 0; i < star.size(); ++i) {
@@ -54,16 +54,16 @@ class SampleLocator
     }
 
   private:
-    ClosestPoint ClosestOnFace(const Vector3& p, std::uint32_t face) const
+    ClosestPoint ClosestOnFace(const Vector3<float>& p, std::uint32_t face) const
     {
         const SurfaceTriangle& t = surface_.triangles[face];
-        const Vector3 a = PositionOf(surface_, t.v[0]);
+        const Vector3<float> a = PositionOf(surface_, t.v[0]);
         return ClosestOnTriangle(p - a, PositionOf(surface_, t.v[1]) - a, PositionOf(surface_, t.v[2]) - a);
     }
     /// From star to star, each around the corner nearest to the closest point so far, none twice.
     void WalkOn(Sample& sample, std::uint32_t start) const
     {
-        const Vector3 p = PositionOf(sample);
+        const Vector3<float> p = PositionOf(sample);
         std::array<std::uint32_t, kLongestWalk> seen{start};
         ClosestPoint closest = ClosestOnFace(p, sample.face);
         for (std::size_t stars = 1; stars < kLongestWalk; ++stars) {

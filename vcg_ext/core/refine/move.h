@@ -76,9 +76,9 @@ class VertexMover
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
         const NormalEquations equations = sums.Total();
-        const std::optional<Vector3> best = SolveStep(equations, p.regularisation);
+        const std::optional<Vector3<float>> best = SolveStep(equations, p.regularisation);
         if (!best) return false;
-        Vector3 step = Clipped(*best);
+        Vector3<float> step = Clipped(*best);
         const double gain =
             std::max(before.sum * static_cast<double>(p.moveGain), static_cast<double>(negligible));
         if (static_cast<double>(Dot(equations.right, step)) < gain) return false;
@@ -105,7 +105,7 @@ class VertexMover
     void Gather(std::uint32_t v)
     {
         GatherStar(state_.simplified, v, star_);
-        const Vector3 origin = PositionOf(state_.simplified, v);
+        const Vector3<float> origin = PositionOf(state_.simplified, v);
         trials_.Resize(star_.size());
         groups_.Clear();
         for (std::size_t i = 0; i < star_.size(); ++i) {
@@ -150,7 +150,7 @@ class VertexMover
         MeasureForward(energy, equations);
         CollectBackwardPoints(v);
         const float limit2 = state_.parameters.backwardOutlier * std::max(energy.forward2, state_.meanSquare);
-        const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3{}, limit2,
+        const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3<float>{}, limit2,
                                                         std::numeric_limits<double>::max(), &equations);
         energy.sum += backward.energy;
         energy.backward2 = backward.largest2;
@@ -169,7 +169,7 @@ class VertexMover
         return state_.edgeHints[hint];
     }
 
-    Vector3 Clipped(const Vector3& step) const
+    Vector3<float> Clipped(const Vector3<float>& step) const
     {
         float shortest2 = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < star_.size(); ++i) shortest2 = std::min(shortest2, star_[i].triangle.bb);
@@ -178,7 +178,7 @@ class VertexMover
     }
     /// Would the step keep the faces, the limits, and the energy below \p allowed? Leaves the samples' new
     /// distances and owners.
-    bool Try(const Vector3& step, const Energy& before, double allowed)
+    bool Try(const Vector3<float>& step, const Energy& before, double allowed)
     {
         if (!KeepsFaces(step)) return false;
         const float tolerable = state_.parameters.tolerableDistance;
@@ -189,7 +189,7 @@ class VertexMover
             return false;
         return ForwardStaysBelow(step, allowed - backward.energy, std::max(before.forward2, tolerable2));
     }
-    bool KeepsFaces(const Vector3& step)
+    bool KeepsFaces(const Vector3<float>& step)
     {
         const RefinementParameters& p = state_.parameters;
         for (std::size_t i = 0; i < star_.size(); ++i) {
@@ -202,7 +202,7 @@ class VertexMover
         }
         return true;
     }
-    bool ForwardStaysBelow(const Vector3& step, double allowed, float limit2);
+    bool ForwardStaysBelow(const Vector3<float>& step, double allowed, float limit2);
     /// Would a face of the trial look away from the original below its centroid, and did not before?
     bool FoldsAFace() const
     {
@@ -214,7 +214,7 @@ class VertexMover
         }
         return false;
     }
-    void Accept(std::uint32_t v, const Vector3& step)
+    void Accept(std::uint32_t v, const Vector3<float>& step)
     {
         SurfacePoint& point = state_.simplified.points[v];
         point.x += step.x;
@@ -237,9 +237,9 @@ inline void VertexMover::MeasureForward(Energy& energy, EquationSums& equations)
         const FourClosestPoints closest = ClosestOnTriangle(group.point, triangle);
         const Int4 alongNormal = closest.inside | (closest.distance2 < Splat(kOnSurface2));
         const Float4 inverse = 1.0F / Sqrt(Max(closest.distance2, Splat(kOnSurface2)));
-        const FourPoints normal{Splat(triangle.nx), Splat(triangle.ny), Splat(triangle.nz)};
-        const FourPoints direction{inverse * closest.difference.x, inverse * closest.difference.y,
-                                   inverse * closest.difference.z};
+        const Vector3<Float4> normal{Splat(triangle.nx), Splat(triangle.ny), Splat(triangle.nz)};
+        const Vector3<Float4> direction{inverse * closest.difference.x, inverse * closest.difference.y,
+                                        inverse * closest.difference.z};
         equations.Add(group.weight * closest.originWeight, closest.originWeight,
                       Select(alongNormal, normal, direction), closest.difference);
     }
@@ -250,9 +250,9 @@ inline void VertexMover::MeasureForward(Energy& energy, EquationSums& equations)
 inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
 {
     const RefinementParameters& p = state_.parameters;
-    const Vector3 origin = PositionOf(state_.simplified, v);
+    const Vector3<float> origin = PositionOf(state_.simplified, v);
     const GroupRange all{0, groups_.size()};
-    const auto add = [&](const Vector3& position, float weight, float leverage, const GroupRange& near,
+    const auto add = [&](const Vector3<float>& position, float weight, float leverage, const GroupRange& near,
                          Place& hint) {
         if (hint == kNone)
             hint = NearestOrigin(state_.samples, groups_, near.begin < near.end ? near : all, position);
@@ -268,15 +268,15 @@ inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
             trials_[i].samples, state_.centroidHints[s.face]);
         add(0.5F * s.toNext, p.backwardEdge * faceArea, 0.5F, trials_[i].samples, NextEdgeHint(i));
     }
-    add(Vector3{}, p.backwardVertex * area, 1, all, state_.vertexHints[v]);
+    add(Vector3<float>{}, p.backwardVertex * area, 1, all, state_.vertexHints[v]);
 }
 
 /// Each sample on the face that held it and, unless it projects inside, on the two faces beside that.
-inline bool VertexMover::ForwardStaysBelow(const Vector3& step, double allowed, float limit2)
+inline bool VertexMover::ForwardStaysBelow(const Vector3<float>& step, double allowed, float limit2)
 {
     double sum = 0;
     for (SampleGroup& group : groups_) {
-        const FourPoints point = Moved(group.point, -1.0F * step);
+        const Vector3<Float4> point = group.point - Splat(step);
         const Trial& own = trials_[group.owner];
         const FourClosestPoints closest = ClosestOnTriangle(point, own.triangle);
         group.newDistance2 = closest.distance2;

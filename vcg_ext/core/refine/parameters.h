@@ -46,9 +46,9 @@ struct RefinementParameters {
     float sharpestFold = -0.2F;   ///< cosine of the angle between the new normals; less only if it was less
 
     std::uint32_t blockVertices =
-        2048;          ///< vertices that one thread treats at a time; the result depends on it
-    int threads = 1;   ///< 0: all; the result does not depend on it
-    Progress progress; ///< may be empty; false stops between two passes
+        2048;               ///< vertices that one thread treats at a time; the result depends on it
+    int threads = 1;        ///< 0: all; the result does not depend on it
+    StageProgress progress; ///< called between two passes
 };
 
 /// What was gained; distances in the unit of the arrays.
@@ -59,7 +59,6 @@ struct RefinementReport {
     std::size_t flips = 0;
     std::size_t moves = 0;
     int sweeps = 0; ///< passes of moves that were run
-    bool cancelled = false;
 };
 
 } // namespace vcg_ext

@@ -116,7 +116,7 @@ inline std::size_t MoveVertices(State& state, int threads)
 /// \param root a vertex of \p simplified for each of \p original, where the search for the closest face
 ///        begins: the vertex that it was collapsed to, or the nearest one; 0xFFFFFFFF for none
 /// \pre both surfaces' arrays are consistent, coordinates finite
-/// \throws std::bad_alloc; \p simplified is then still a valid surface
+/// \throws Cancelled, std::bad_alloc; \p simplified is then still a valid surface
 inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& simplified,
                                const Buffer<std::uint32_t>& root, const RefinementParameters& parameters = {})
 {
@@ -124,11 +124,8 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     RefinementReport report;
     if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
     const int threads = ResolveThreads(parameters.threads);
-    const auto cancelled = [&](int percent) {
-        report.cancelled = parameters.progress && !parameters.progress(percent, "Refinement");
-        return report.cancelled;
-    };
-    if (cancelled(0)) return report;
+    const auto reached = [&](int percent) { parameters.progress(percent, "Refinement"); };
+    reached(0);
     if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
     State state{original,
                 simplified,
@@ -143,9 +140,10 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     if (!(report.rmsBefore > kFlatTilt * FaceSize(simplified))) return report;
     state.meanSquare = static_cast<float>(meanSquare);
 
-    if (parameters.flip && !cancelled(20)) report.flips = FlipEdges(state, threads);
-    for (int sweep = 0; sweep < parameters.moveSweeps && !report.cancelled; ++sweep) {
-        if (cancelled(40 + 60 * sweep / parameters.moveSweeps)) break;
+    reached(20);
+    if (parameters.flip) report.flips = FlipEdges(state, threads);
+    for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
+        reached(40 + 60 * sweep / parameters.moveSweeps);
         const std::size_t moves = MoveVertices(state, threads);
         report.moves += moves;
         ++report.sweeps;

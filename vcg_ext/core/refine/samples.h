@@ -45,7 +45,7 @@ struct alignas(32) Sample {
 };
 static_assert(sizeof(Sample) == 32, "half a cache line");
 
-inline Vector3 PositionOf(const Sample& sample)
+inline Vector3<float> PositionOf(const Sample& sample)
 {
     return {sample.x, sample.y, sample.z};
 }
@@ -200,7 +200,7 @@ class SampleDrawer
     }
     Sample CentroidSample(std::uint32_t f) const
     {
-        const Vector3 p = Centroid(original_, f);
+        const Vector3<float> p = Centroid(original_, f);
         float weight = 0;
         for (const std::uint32_t v : original_.triangles[f].v) weight += original_.points[v].weight / 3;
         const float area = static_cast<float>(plan_.centroidStep) * area_[f];

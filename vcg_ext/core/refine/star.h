@@ -9,7 +9,7 @@
 
 #include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/refine/samples.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/mesh/surface_arrays.h"
 #include "vcg_ext/core/mesh/surface_corners.h"
 
@@ -48,7 +48,7 @@ struct StarFace {
     std::uint32_t face;
     Corner corner;                ///< of the star's vertex
     std::uint32_t next, previous; ///< the other two vertices
-    Vector3 toNext, toPrevious;
+    Vector3<float> toNext, toPrevious;
     PreparedTriangle<float> triangle;
 };
 using Star = Scratch<StarFace>;
@@ -56,7 +56,7 @@ using Star = Scratch<StarFace>;
 inline void GatherStar(const SurfaceArrays& surface, std::uint32_t v, Star& star)
 {
     const Corner* corners = BeginCorners(surface, v);
-    const Vector3 origin = PositionOf(surface, v);
+    const Vector3<float> origin = PositionOf(surface, v);
     star.Resize(surface.cornerCount[v]);
     for (std::size_t i = 0; i < star.size(); ++i) {
         StarFace& s = star[i];
@@ -72,7 +72,7 @@ inline void GatherStar(const SurfaceArrays& surface, std::uint32_t v, Star& star
 
 /// Four samples of one face, seen from a common origin. Lanes behind the last sample have weight 0.
 struct SampleGroup {
-    FourPoints point;
+    Vector3<Float4> point;
     Float4 weight;
     Float4 distance2;
     Float4 newDistance2;
@@ -84,7 +84,7 @@ using SampleGroups = Scratch<SampleGroup>;
 
 /// Appends the samples of one face in fours.
 inline void CollectSamples(const SampleLists& lists, std::uint32_t face, std::uint32_t owner,
-                           const Vector3& origin, SampleGroups& groups)
+                           const Vector3<float>& origin, SampleGroups& groups)
 {
     std::uint32_t next = lists.faces[face].first;
     while (next != kNone) {
@@ -107,7 +107,7 @@ inline void CollectSamples(const SampleLists& lists, std::uint32_t face, std::ui
         }
         LoadTransposed(lane[0], lane[1], lane[2], lane[3], group.point.x, group.point.y, group.point.z,
                        group.weight);
-        group.point = Moved(group.point, -1.0F * origin);
+        group.point = group.point - Splat(origin);
         group.weight = OrZero(used, group.weight);
         group.distance2 = distance2;
     }
@@ -121,12 +121,12 @@ struct GroupRange {
 /// Where the sample of \p range nearest to \p p comes from. \pre the range is not empty; p is seen from the
 /// groups' origin
 inline Place NearestOrigin(const SampleLists& lists, const SampleGroups& groups, const GroupRange& range,
-                           const Vector3& p)
+                           const Vector3<float>& p)
 {
     Float4 best = Splat(std::numeric_limits<float>::max());
     Int4 bestGroup = Splat(0);
     for (std::size_t i = range.begin; i < range.end; ++i) {
-        const Float4 distance2 = SquaredNorm(Moved(groups[i].point, -1.0F * p));
+        const Float4 distance2 = SquaredNorm(groups[i].point - Splat(p));
         bestGroup = Select(distance2 < best, Splat(static_cast<std::int32_t>(i)), bestGroup);
         best = Min(distance2, best);
     }

@@ -24,7 +24,7 @@ namespace vcg_ext
 
 inline PlacedTriangle Placed(const SurfaceArrays& surface, const SurfaceTriangle& triangle)
 {
-    const Vector3 a = PositionOf(surface, triangle.v[0]);
+    const Vector3<float> a = PositionOf(surface, triangle.v[0]);
     return {a,
             PrepareTriangle(PositionOf(surface, triangle.v[1]) - a, PositionOf(surface, triangle.v[2]) - a)};
 }
@@ -33,10 +33,10 @@ inline PlacedTriangle Placed(const SurfaceArrays& surface, const SurfaceTriangle
 /// centroid. Faces without area have no side.
 /// \param onSurface a point of the original where it does not look against the face, if one is known
 inline bool IsFolded(const FaceTree& original, const PlacedTriangle& face,
-                     const std::optional<Vector3>& onSurface = {})
+                     const std::optional<Vector3<float>>& onSurface = {})
 {
     if (!(face.shape.doubleArea > 0)) return false;
-    const Vector3 centroid = face.origin + (1.0F / 3) * (face.ToSecond() + face.ToThird());
+    const Vector3<float> centroid = face.origin + (1.0F / 3) * (face.ToSecond() + face.ToThird());
     if (!onSurface) return original.LooksAgainst(centroid, NormalOf(face.shape));
     return original.LooksAgainst(centroid, NormalOf(face.shape), SquaredNorm(*onSurface - centroid));
 }
@@ -51,7 +51,7 @@ class Unfolder
         float rise = 0; ///< of the energy
         std::optional<FlippableEdge> flip;
         std::uint32_t vertex = 0; ///< that moves, where nothing is flipped ...
-        Vector3 place;            ///< ... to this point
+        Vector3<float> place{};   ///< ... to this point
     };
     /// The faces that a change replaces, or puts in their place.
     struct Look {
@@ -70,7 +70,7 @@ class Unfolder
     NearbySamples samples_;
     std::vector<std::uint32_t> region_, star_, others_; // faces
     std::vector<PlacedTriangle> placed_;
-    std::vector<Vector3> places_;
+    std::vector<Vector3<float>> places_;
     std::vector<std::uint32_t> next_, previous_;
 
   public:
@@ -115,18 +115,18 @@ class Unfolder
 
     /// A box that grows.
     struct Bounds {
-        Vector3 low{kNoLimit, kNoLimit, kNoLimit}, high{-kNoLimit, -kNoLimit, -kNoLimit};
-        void Add(const Vector3& p)
+        Vector3<float> low{kNoLimit, kNoLimit, kNoLimit}, high{-kNoLimit, -kNoLimit, -kNoLimit};
+        void Add(const Vector3<float>& p)
         {
             low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
             high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
         }
         void Grow(float by)
         {
-            low = low - Vector3{by, by, by};
-            high = high + Vector3{by, by, by};
+            low = low - Vector3<float>{by, by, by};
+            high = high + Vector3<float>{by, by, by};
         }
-        bool Has(const Vector3& p) const { return Meets({p, p}); }
+        bool Has(const Vector3<float>& p) const { return Meets({p, p}); }
         bool Meets(const Bounds& b) const
         {
             return low.x <= b.high.x && low.y <= b.high.y && low.z <= b.high.z && b.low.x <= high.x &&
@@ -172,15 +172,16 @@ class Unfolder
     {
         constexpr float kCentroidShare = 0.4F, kCornerShare = 0.2F;
         samples_.Clear();
-        original_.ForEachNear(bounds.low, bounds.high,
-                              [&](std::uint32_t, const Vector3& a, const Vector3& ab, const Vector3& ac) {
-                                  const float area = Norm(Cross(ab, ac)) / 2;
-                                  const auto add = [&](const Vector3& p, float share) {
-                                      if (bounds.Has(p)) samples_.Add(p, share * area);
-                                  };
-                                  add(a + (1.0F / 3) * (ab + ac), kCentroidShare);
-                                  for (const Vector3& corner : {a, a + ab, a + ac}) add(corner, kCornerShare);
-                              });
+        original_.ForEachNear(
+            bounds.low, bounds.high,
+            [&](std::uint32_t, const Vector3<float>& a, const Vector3<float>& ab, const Vector3<float>& ac) {
+                const float area = Norm(Cross(ab, ac)) / 2;
+                const auto add = [&](const Vector3<float>& p, float share) {
+                    if (bounds.Has(p)) samples_.Add(p, share * area);
+                };
+                add(a + (1.0F / 3) * (ab + ac), kCentroidShare);
+                for (const Vector3<float>& corner : {a, a + ab, a + ac}) add(corner, kCornerShare);
+            });
         samples_.Begin(kMostSamples);
     }
     /// Only \p faces change from now on.
@@ -214,12 +215,12 @@ class Unfolder
         float energy = samples_.Energy(placed_, limit);
         for (const PlacedTriangle& face : placed_) {
             if (energy > limit) break;
-            const Vector3 b = face.ToSecond(), c = face.ToThird();
-            const auto at = [&](const Vector3& p) { return original_.Distance2(face.origin + p); };
+            const Vector3<float> b = face.ToSecond(), c = face.ToThird();
+            const auto at = [&](const Vector3<float>& p) { return original_.Distance2(face.origin + p); };
             energy += face.shape.doubleArea / 2 *
                       (kCentroid * at((1.0F / 3) * (b + c)) +
                        kMidpoint * (at(0.5F * b) + at(0.5F * c) + at(0.5F * (b + c))) +
-                       kCorner * (at(Vector3{}) + at(b) + at(c)));
+                       kCorner * (at(Vector3<float>{}) + at(b) + at(c)));
         }
         return energy;
     }
@@ -294,7 +295,7 @@ class Unfolder
             LetChange(star_);
             PlaceStar();
             const auto start = Begin();
-            const Vector3 here = PositionOf(surface_, v);
+            const Vector3<float> here = PositionOf(surface_, v);
             FindPlaces(face, v);
             bool unbeaten = false;
             for (std::size_t i = 0; i < places_.size() && !unbeaten; ++i) {
@@ -314,7 +315,7 @@ class Unfolder
         placed_.clear();
         for (const std::uint32_t f : star_) placed_.push_back(Placed(surface_, surface_.triangles[f]));
     }
-    void Put(std::uint32_t v, const Vector3& p)
+    void Put(std::uint32_t v, const Vector3<float>& p)
     {
         SurfacePoint& point = surface_.points[v];
         point = {p.x, p.y, p.z, point.weight};
@@ -324,24 +325,25 @@ class Unfolder
     /// or towards the middle of its neighbours, there or on the original.
     void FindPlaces(std::uint32_t face, std::uint32_t v)
     {
-        const Vector3 here = PositionOf(surface_, v);
+        const Vector3<float> here = PositionOf(surface_, v);
         const SurfaceTriangle& t = surface_.triangles[face];
         places_.clear();
-        const Vector3 normal = NormalOf(Placed(surface_, t).shape);
+        const Vector3<float> normal = NormalOf(Placed(surface_, t).shape);
         const float reach2 = original_.DistanceAlong2(Centroid(surface_, face), normal);
-        Vector3 star, middle;
+        Vector3<float> star{}, middle{};
         ForEachFaceAround(v, [&](std::uint32_t f) { star = star + AreaVector(surface_, f); });
         star = (1 / std::max(Norm(star), std::sqrt(kSmallestSquare))) * star;
         if (reach2 < kNoLimit)
             for (const float s : {0.1F, 0.2F, 0.4F, 0.7F, 1.0F, 1.5F, 2.0F, 3.0F})
-                for (const Vector3& step : {normal, star, -1.0F * star})
+                for (const Vector3<float>& step : {normal, star, -1.0F * star})
                     places_.push_back(here + (s * std::sqrt(reach2)) * step);
 
         int k = 0;
         while (t.v[k] != v) ++k;
-        const Vector3 p = PositionOf(surface_, t.v[(k + 1) % 3]), q = PositionOf(surface_, t.v[(k + 2) % 3]);
+        const Vector3<float> p = PositionOf(surface_, t.v[(k + 1) % 3]),
+                             q = PositionOf(surface_, t.v[(k + 2) % 3]);
         const float along = Dot(here - p, q - p) / std::max(SquaredNorm(q - p), kSmallestSquare);
-        const Vector3 toEdge = p + along * (q - p) - here;
+        const Vector3<float> toEdge = p + along * (q - p) - here;
         for (const float s : {1.2F, 1.5F, 2.0F, 4.0F}) places_.push_back(here + s * toEdge);
 
         for (const Corner* c = BeginCorners(surface_, v); c != EndCorners(surface_, v); ++c)

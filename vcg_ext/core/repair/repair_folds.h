@@ -20,9 +20,8 @@ namespace vcg_ext
 {
 
 /// Folded faces before and after the mending.
-struct UnfoldingReport {
+struct FoldRepairReport {
     std::size_t before = 0, after = 0;
-    bool cancelled = false;
 };
 
 namespace unfold_detail
@@ -32,21 +31,21 @@ inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const Sur
 {
     const auto corner = [&](std::size_t k) {
         const SurfacePoint p = frame.ToFrame(mesh.positions[mesh.triangles[f][k]], 0);
-        return Vector3{p.x, p.y, p.z};
+        return Vector3<float>{p.x, p.y, p.z};
     };
-    const Vector3 a = corner(0);
+    const Vector3<float> a = corner(0);
     return {a, PrepareTriangle(corner(1) - a, corner(2) - a)};
 }
 
 /// A corner of the input face that \p face was, if that looks along it.
-inline std::optional<Vector3> PointBeside(const MeshView& original, std::size_t origin,
-                                          const SurfaceFrame& frame, const PlacedTriangle& face)
+inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::size_t origin,
+                                                 const SurfaceFrame& frame, const PlacedTriangle& face)
 {
     const auto corner = [&](std::size_t k) {
         const SurfacePoint p = frame.ToFrame(original.Position(original.triangles[3 * origin + k]), 0);
-        return Vector3{p.x, p.y, p.z};
+        return Vector3<float>{p.x, p.y, p.z};
     };
-    const Vector3 a = corner(0);
+    const Vector3<float> a = corner(0);
     if (!(Dot(Cross(corner(1) - a, corner(2) - a), NormalOf(face.shape)) > 0)) return std::nullopt;
     return a;
 }
@@ -96,9 +95,11 @@ inline bool HasMixedOrientation(const MeshView& view)
 /// without doubling the local error stays folded. Vertices on borders that are not locked may move. Flips
 /// give faces other corners: what is stored per wedge does not follow. The bytes of the result do not depend
 /// on the number of threads. \param mesh a decimated \p original, changed in place; vertices that stay keep
-/// their bits \param threads 0: all \pre finite coordinates
-inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh, Boundary boundary,
-                                   int threads, const Progress& progress = {})
+/// their bits \param threads 0: all
+/// \param faceOrder as CollapsedSurface's \throws Cancelled \pre finite coordinates
+inline FoldRepairReport RepairFolds(const MeshView& original, DecimatedMesh& mesh, Boundary boundary,
+                                    int threads, const std::vector<std::uint32_t>& faceOrder = {},
+                                    const StageProgress& progress = {})
 {
     // Cheap mendings first: they often mend a neighbour too.
     constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
@@ -106,12 +107,12 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
     constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
     constexpr std::size_t kSuspiciousShare = 8;
     threads = ResolveThreads(threads);
-    UnfoldingReport report;
+    FoldRepairReport report;
     if (mesh.triangles.empty()) return report;
     std::vector<std::uint8_t> fixed;
     const MeshView simplified = ViewOf(mesh, original, fixed);
     const SurfaceFrame frame = FrameOf(simplified);
-    const FaceTree tree(original, frame, threads, mesh.inputOrder);
+    const FaceTree tree(original, frame, threads, faceOrder);
     std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
     if (folded.empty()) return report;
@@ -130,8 +131,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
         for (const std::uint32_t f : folded) {
             if (attempts == 0) break;
             --attempts;
-            report.cancelled = progress && !progress(percent, "Unfolding faces");
-            if (report.cancelled) return report;
+            progress(percent, "Repairing folds");
             unfolder.Mend(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);
         }
         folded.insert(folded.end(), unfolder.Changed().begin(), unfolder.Changed().end());

@@ -2,74 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Vectors and symmetric matrices of three dimensions, on one number (float, double) or on several (Float4,
-// Float8).
-
-#include <cmath>
-
-#include "vcg_ext/core/base/simd.h"
-
-namespace vcg_ext::sweeps
+#include "vcg_ext/core/geometry/vector.h"
+namespace vcg_ext
 {
 
-inline float Max(float a, float b)
-{
-    return a > b ? a : b;
-}
-inline double Max(double a, double b)
-{
-    return a > b ? a : b;
-}
-using vcg_ext::Max;
-inline float Sqrt(float a)
-{
-    return std::sqrt(a);
-}
-inline double Sqrt(double a)
-{
-    return std::sqrt(a);
-}
-using vcg_ext::Sqrt;
-
-/// \p x in every lane, for numbers with one lane or four.
-template <class Real>
-[[gnu::always_inline]] inline Real Fill(float x)
-{
-    return Real{} + x;
-}
-
-template <class Real>
-struct Vector3 {
-    Real x, y, z;
-};
-
-template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> operator+(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> operator-(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> operator*(const Real& s, const Vector3<Real>& a)
-{
-    return {s * a.x, s * a.y, s * a.z};
-}
-template <class Real>
-[[gnu::always_inline]] inline Real Dot(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> Cross(const Vector3<Real>& a, const Vector3<Real>& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// A symmetric 3 x 3 matrix by its upper triangle.
+/// A symmetric 3 x 3 matrix by its upper triangle. \tparam Real as of Vector3
 template <class Real>
 struct SymmetricMatrix3 {
     Real xx, xy, xz, yy, yz, zz;
@@ -114,4 +51,26 @@ template <class Real>
            d.z * (m.zz * d.z);
 }
 
-} // namespace vcg_ext::sweeps
+/// The x that is least for x^T (M + e I) x - 2 rhs.x, by LDL^T: e pulls it to the origin in the directions
+/// that \p m leaves open. Pivots are held at e / 2 or above, so that rounding cannot make the solution wild.
+/// \param e > 0 \pre \p m is positive semi-definite but for rounding
+template <class Real>
+[[gnu::always_inline]] inline Vector3<Real> SolveRegularized(const SymmetricMatrix3<Real>& m,
+                                                             const Vector3<Real>& rhs, const Real& e)
+{
+    const Real floor = 0.5f * e;
+    const Real inverse0 = 1.0f / (m.xx + e);
+    const Real l10 = m.xy * inverse0;
+    const Real l20 = m.xz * inverse0;
+    const Real inverse1 = 1.0f / Max(m.yy + e - l10 * m.xy, floor);
+    const Real t = m.yz - l20 * m.xy;
+    const Real l21 = t * inverse1;
+    const Real pivot2 = Max(m.zz + e - l20 * m.xz - l21 * t, floor);
+    const Real y1 = rhs.y - l10 * rhs.x;
+    const Real y2 = rhs.z - l20 * rhs.x - l21 * y1;
+    const Real z = y2 / pivot2;
+    const Real y = y1 * inverse1 - l21 * z;
+    return {rhs.x * inverse0 - l10 * y - l20 * z, y, z};
+}
+
+} // namespace vcg_ext
