@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sweep engine in a program without MeshLab and without vcglib:
+// Simplification in a program that has its own arrays, without MeshLab and without vcglib:
 //
 //     simplify_arrays FACES [OUTPUT.off]
 //
@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "vcg_ext/core/collapse/engine.h"
+#include "vcg_ext/core/simplify.h"
 
 namespace
 {
@@ -81,14 +81,13 @@ int Simplify(int argc, char** argv)
     vcg_ext::DecimationParameters parameters;
     parameters.targetFaces = static_cast<std::size_t>(std::atol(argv[1]));
     parameters.effort = vcg_ext::Effort::Fast; // Balanced also refines what is left
-    parameters.featureWeight = 2;
-    parameters.boundary = vcg_ext::Boundary::Preserve;
-    const vcg_ext::DecimatedMesh result = vcg_ext::DecimateSweeps(ViewOf(mesh), parameters);
+    parameters.measureError = false;           // otherwise the report has the distances
+    const vcg_ext::Simplification result = vcg_ext::Simplify(ViewOf(mesh), parameters);
 
-    std::cout << mesh.triangles.size() / 3 << " faces became " << result.triangles.size() << '\n';
-    if (result.stopReason == vcg_ext::StopReason::NoLegalCollapse)
+    std::cout << result.report.facesBefore << " faces became " << result.report.faces << '\n';
+    if (result.report.stopReason == vcg_ext::StopReason::NoLegalCollapse)
         std::cout << "no further collapse is possible without damage\n";
-    if (argc > 2) WriteOff(result, argv[2]);
+    if (argc > 2) WriteOff(result.mesh, argv[2]);
     return 0;
 }
 

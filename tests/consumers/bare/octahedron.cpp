@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A program that has the headers and nothing else: c++ -std=c++17 -I <top of the project> octahedron.cpp
-#include "vcg_ext/core/collapse/engine.h"
+#include "vcg_ext/core/simplify.h"
 
 int main()
 {
@@ -14,5 +14,5 @@ int main()
     mesh.triangles = triangles, mesh.vertexCount = 6, mesh.faceCount = 8;
     vcg_ext::DecimationParameters parameters;
     parameters.targetFaces = 4;
-    return vcg_ext::DecimateSweeps(mesh, parameters).triangles.size() == 4 ? 0 : 1;
+    return vcg_ext::Simplify(mesh, parameters).mesh.triangles.size() == 4 ? 0 : 1;
 }
