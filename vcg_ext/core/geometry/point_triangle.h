@@ -16,63 +16,67 @@ namespace vcg_ext
 /// Squares smaller than this are taken for it where something is divided by them.
 constexpr float kSmallestSquare = 1e-30F;
 
-struct ClosestPoint {
-    float distance2;  ///< square of the distance
-    float weights[3]; ///< barycentric coordinates of the closest point
+template <class Real>
+struct ClosestPointOf {
+    Real distance2;  ///< square of the distance
+    Real weights[3]; ///< barycentric coordinates of the closest point
 };
+using ClosestPoint = ClosestPointOf<float>;
 
 /// A triangle whose angle at the first corner has a squared sine below this is taken for its edges: its
 /// computed normal would be rounding, and a height over it no distance.
 constexpr float kFlattestSine2 = 1e-12F;
 
 /// The point (1 - wb - wc) 0 + wb b + wc c as an answer.
-inline ClosestPoint PointAtWeights(const Vector3<float>& p, const Vector3<float>& b, const Vector3<float>& c,
-                                   float wb, float wc)
+template <class Real>
+ClosestPointOf<Real> PointAtWeights(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c,
+                                    Real wb, Real wc)
 {
-    const Vector3<float> difference = p - wb * b - wc * c;
+    const Vector3<Real> difference = p - wb * b - wc * c;
     return {SquaredNorm(difference), {1 - wb - wc, wb, wc}};
 }
 
 /// Of a triangle without area: the best of its three edges.
-inline ClosestPoint ClosestOnEdges(const Vector3<float>& p, const Vector3<float>& b, const Vector3<float>& c)
+template <class Real>
+ClosestPointOf<Real> ClosestOnEdges(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-    const auto along = [](const Vector3<float>& q, const Vector3<float>& edge) {
-        return std::clamp(Dot(q, edge) / std::max(Dot(edge, edge), kSmallestSquare), 0.0F, 1.0F);
+    const auto along = [](const Vector3<Real>& q, const Vector3<Real>& edge) {
+        return std::clamp(Dot(q, edge) / std::max(Dot(edge, edge), Real{kSmallestSquare}), Real{0}, Real{1});
     };
-    const float t = along(p - b, c - b);
-    ClosestPoint best = PointAtWeights(p, b, c, 1 - t, t);
-    for (const ClosestPoint& other :
-         {PointAtWeights(p, b, c, along(p, b), 0), PointAtWeights(p, b, c, 0, along(p, c))})
+    const Real t = along(p - b, c - b);
+    ClosestPointOf<Real> best = PointAtWeights<Real>(p, b, c, 1 - t, t);
+    for (const ClosestPointOf<Real>& other :
+         {PointAtWeights<Real>(p, b, c, along(p, b), 0), PointAtWeights<Real>(p, b, c, 0, along(p, c))})
         if (other.distance2 < best.distance2) best = other;
     return best;
 }
 
 /// Plain form, the reference for the one below: the seven regions of the plane, corners and edges first
 /// (Ericson, Real-Time Collision Detection, 2005, 5.1.5). Degenerate triangles are segments or points.
-inline ClosestPoint ClosestOnTriangle(const Vector3<float>& p, const Vector3<float>& b,
-                                      const Vector3<float>& c)
+template <class Real>
+ClosestPointOf<Real> ClosestOnTriangle(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-    const float pb = Dot(p, b), pc = Dot(p, c);
-    if (pb <= 0 && pc <= 0) return PointAtWeights(p, b, c, 0, 0);
-    const float bb = Dot(b, b), bc = Dot(b, c), cc = Dot(c, c);
-    const float fromB = pb - bb, fromBAlongC = pc - bc;
-    if (fromB >= 0 && fromBAlongC <= fromB) return PointAtWeights(p, b, c, 1, 0);
-    const float besideB = pb * fromBAlongC - fromB * pc;
-    if (besideB <= 0 && pb >= 0 && fromB <= 0 && bb > 0) return PointAtWeights(p, b, c, pb / bb, 0);
-    const float fromCAlongB = pb - bc, fromC = pc - cc;
-    if (fromC >= 0 && fromCAlongB <= fromC) return PointAtWeights(p, b, c, 0, 1);
-    const float besideC = fromCAlongB * pc - pb * fromC;
-    if (besideC <= 0 && pc >= 0 && fromC <= 0 && cc > 0) return PointAtWeights(p, b, c, 0, pc / cc);
-    const float besideFar = fromB * fromC - fromCAlongB * fromBAlongC;
-    const float alongFar = fromBAlongC - fromB, beforeC = fromCAlongB - fromC;
-    const float length = alongFar + beforeC;
+    const Real pb = Dot(p, b), pc = Dot(p, c);
+    if (pb <= 0 && pc <= 0) return PointAtWeights<Real>(p, b, c, 0, 0);
+    const Real bb = Dot(b, b), bc = Dot(b, c), cc = Dot(c, c);
+    const Real fromB = pb - bb, fromBAlongC = pc - bc;
+    if (fromB >= 0 && fromBAlongC <= fromB) return PointAtWeights<Real>(p, b, c, 1, 0);
+    const Real besideB = pb * fromBAlongC - fromB * pc;
+    if (besideB <= 0 && pb >= 0 && fromB <= 0 && bb > 0) return PointAtWeights<Real>(p, b, c, pb / bb, 0);
+    const Real fromCAlongB = pb - bc, fromC = pc - cc;
+    if (fromC >= 0 && fromCAlongB <= fromC) return PointAtWeights<Real>(p, b, c, 0, 1);
+    const Real besideC = fromCAlongB * pc - pb * fromC;
+    if (besideC <= 0 && pc >= 0 && fromC <= 0 && cc > 0) return PointAtWeights<Real>(p, b, c, 0, pc / cc);
+    const Real besideFar = fromB * fromC - fromCAlongB * fromBAlongC;
+    const Real alongFar = fromBAlongC - fromB, beforeC = fromCAlongB - fromC;
+    const Real length = alongFar + beforeC;
     if (besideFar <= 0 && alongFar >= 0 && beforeC >= 0 && length > 0)
-        return PointAtWeights(p, b, c, beforeC / length, alongFar / length);
-    const Vector3<float> normal = Cross(b, c);
-    const float normal2 = SquaredNorm(normal), height = Dot(normal, p);
-    if (!(normal2 > kFlattestSine2 * bb * cc)) return ClosestOnEdges(p, b, c);
-    const float determinant = std::max(bb * cc - bc * bc, kSmallestSquare);
-    const float wb = (cc * pb - bc * pc) / determinant, wc = (bb * pc - bc * pb) / determinant;
+        return PointAtWeights<Real>(p, b, c, beforeC / length, alongFar / length);
+    const Vector3<Real> normal = Cross(b, c);
+    const Real normal2 = SquaredNorm(normal), height = Dot(normal, p);
+    if (!(normal2 > Real{kFlattestSine2} * bb * cc)) return ClosestOnEdges(p, b, c);
+    const Real determinant = std::max(bb * cc - bc * bc, Real{kSmallestSquare});
+    const Real wb = (cc * pb - bc * pc) / determinant, wc = (bb * pc - bc * pb) / determinant;
     return {height * height / normal2, {1 - wb - wc, wb, wc}};
 }
 

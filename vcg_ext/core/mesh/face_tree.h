@@ -41,6 +41,7 @@ class FaceTree
     static constexpr float kAgainst = -1e-6F;
 
     static constexpr std::size_t kFacesPerLeaf = 8;
+    using FourFaces = std::array<std::uint32_t, kLanes>; ///< their indices
 
     const std::uint32_t* triangles_;
     Buffer<SurfacePoint> points_;
@@ -68,7 +69,7 @@ class FaceTree
             std::copy(order.begin(), order.end(), faces_.begin());
         levels_.push_back(face_tree::LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
             face_tree::LeafBoxes boxes;
-            ForEachFour(leaf, [&](const FourTriangles& faces) { boxes.Add(faces); });
+            ForEachFour(leaf, [&](const FourTriangles& faces, const auto&) { boxes.Add(faces); });
             return boxes.Boxes();
         }));
         while (levels_.back().size() > 1) {
@@ -92,14 +93,14 @@ class FaceTree
                 return nodes.normals.LeastDots(direction) < Splat(kAgainst);
             };
             const auto near2 = [&] { return std::min(kFar, sides.along2 * kTie); };
-            Search(point, someLookAgainst, near2(), [&](const FourTriangles& faces) {
+            Search(point, someLookAgainst, near2(), [&](const FourTriangles& faces, const FourFaces&) {
                 Closer(faces, point, direction, sides);
                 return near2();
             });
             if (!IsAgainst(sides)) return false;
         }
         const auto nearest2 = [&] { return std::min(kFar, std::min(sides.along2, sides.against2) * kTie); };
-        Search(point, AllNodes, nearest2(), [&](const FourTriangles& faces) {
+        Search(point, AllNodes, nearest2(), [&](const FourTriangles& faces, const FourFaces&) {
             Closer(faces, point, direction, sides);
             return nearest2();
         });
@@ -114,7 +115,7 @@ class FaceTree
         const auto someLookAlong = [&](const FourNodes& nodes) {
             return nodes.normals.GreatestDots(direction) >= Splat(kAgainst);
         };
-        Search(point, someLookAlong, kFar, [&](const FourTriangles& faces) {
+        Search(point, someLookAlong, kFar, [&](const FourTriangles& faces, const FourFaces&) {
             Closer(faces, point, direction, sides);
             return sides.along2;
         });
@@ -126,7 +127,7 @@ class FaceTree
     {
         float best2 = kFar;
         Vector3<float> closest{};
-        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces, const FourFaces&) {
             const FourClosestPoints hits = ClosestOnTriangle(faces.Seen(point), faces.Prepared());
             for (int lane = 0; lane < kLanes; ++lane) {
                 if (!(hits.distance2[lane] < best2)) continue;
@@ -139,11 +140,24 @@ class FaceTree
         return closest;
     }
 
+    /// Calls visit(face), near ones first, for every face whose squared distance is at most what the last
+    /// call returned, and some that are farther; one face may come twice. \param limit2 for the first call
+    template <class Visit>
+    void ForEachWithin(const Vector3<float>& point, float limit2, const Visit& visit) const
+    {
+        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourFaces& indices) {
+            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
+            for (std::size_t lane = 0; lane < kLanes; ++lane)
+                if (distance2[lane] <= limit2) limit2 = visit(indices[lane]);
+            return limit2;
+        });
+    }
+
     /// Squared distance to the surface.
     float Distance2(const Vector3<float>& point) const
     {
         float best2 = kFar;
-        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces, const FourFaces&) {
             best2 =
                 std::min(best2, MinLane(ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2));
             return best2;
@@ -194,8 +208,9 @@ class FaceTree
         const std::size_t end = std::min(faces_.size(), (leaf + 1) * kFacesPerLeaf);
         for (std::size_t first = leaf * kFacesPerLeaf; first < end; first += kLanes) {
             Float4 a[kLanes], b[kLanes], c[kLanes];
+            FourFaces indices;
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const std::size_t face = faces_[std::min(first + lane, end - 1)];
+                const std::uint32_t face = indices[lane] = faces_[std::min(first + lane, end - 1)];
                 a[lane] = Corner(face, 0);
                 b[lane] = Corner(face, 1) - a[lane];
                 c[lane] = Corner(face, 2) - a[lane];
@@ -203,7 +218,7 @@ class FaceTree
             Transpose(a[0], a[1], a[2], a[3]);
             Transpose(b[0], b[1], b[2], b[3]);
             Transpose(c[0], c[1], c[2], c[3]);
-            visit(FourTriangles{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}});
+            visit(FourTriangles{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}}, indices);
         }
     }
 
@@ -248,7 +263,9 @@ class FaceTree
             const Entry entry = stack[--size];
             if (!(entry.distance2 <= limit2)) continue;
             if (entry.level == 0) {
-                ForEachFour(entry.node, [&](const FourTriangles& faces) { limit2 = visit(faces); });
+                ForEachFour(entry.node, [&](const FourTriangles& faces, const FourFaces& indices) {
+                    limit2 = visit(faces, indices);
+                });
                 continue;
             }
             const FourNodes& nodes = levels_[entry.level - 1][entry.node];
