@@ -26,7 +26,8 @@ inline bool CollectNeighbours(const SweepState& state, std::uint32_t v, const Ve
         const std::uint32_t next = state.Next(list[i]), previous = state.Previous(list[i]);
         vertex[i] = next;
         vertex[count + i] = previous;
-        inside &= range.Has(next) & range.Has(previous);
+        inside &= range.Has(next);
+        inside &= range.Has(previous);
     }
     neighbours.size = count;
     if (!inside) return false;

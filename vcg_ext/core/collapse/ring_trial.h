@@ -23,7 +23,8 @@ inline bool AppendStar(const SweepState& state, std::uint32_t centre, std::uint3
     for (std::uint32_t i = 0; i < state.cornerCount[centre]; ++i) {
         const std::uint32_t next = state.Next(list[i]), previous = state.Previous(list[i]);
         const bool dies = next == other || previous == other;
-        inside &= range.Has(next) & range.Has(previous);
+        inside &= range.Has(next);
+        inside &= range.Has(previous);
         // Both places are written and one of the counts advances: the branch would not be predictable.
         star.deadFace[dead] = FaceOf(list[i]);
         star.wing[dead] = next == other ? previous : next;

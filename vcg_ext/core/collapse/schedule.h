@@ -37,12 +37,9 @@ class SweepSchedule
 
     SweepState& state_;
     SweepRunner runner_;
-    int threads_;
 
   public:
-    SweepSchedule(SweepState& state, int threads) : state_(state), runner_(state, threads), threads_(threads)
-    {
-    }
+    SweepSchedule(SweepState& state, int threads) : state_(state), runner_(state, threads) {}
 
     /// Collapses until at most \p target faces are left. \param report called between sweeps with the part of
     /// the way that is done, in [0, 1]
