@@ -35,12 +35,12 @@ struct UmbrellaOperatorRow {
 
 inline constexpr UmbrellaOperatorRow kUmbrellaOperators[] = {
     {UmbrellaOperator::Uniform, "umbrella", "Umbrella",
-     "To the centroid of the neighbours: every edge has the same weight (Eq. 1)"},
+     "Toward the centroid of the neighbors: every edge has the same weight (Eq. 1)"},
     {UmbrellaOperator::ScaleDependent, "scale_dependent", "Scale-dependent umbrella",
-     "Edges weigh 1 / length (Eq. 2, after Fujiwara 1995), so long ones do not draw vertices along the "
+     "Edges have weight 1 / length (Eq. 2, after Fujiwara 1995), so long edges do not pull vertices along the "
      "surface"},
     {UmbrellaOperator::NormalDependent, "normal_dependent", "Normal-dependent umbrella",
-     "The umbrella's part along the vertex normal (Eq. 3): vertices of a plane stay where they are"},
+     "The component of the umbrella vector along the vertex normal (Eq. 3): vertices in a plane do not move"},
 };
 
 /// What smoothing does at open borders: edges with one face.

@@ -69,7 +69,7 @@ inline StrictDecimation DecimateWeighted(const MeshView& view, WeightedParameter
     weighted_detail::CheckLength(parameters.featureClass, view, "feature classes");
     if (!(parameters.featureWeight >= 0))
         throw std::invalid_argument("feature_weight = " + std::to_string(parameters.featureWeight) +
-                                    " is below 0");
+                                    " is less than 0");
     StrictMesh mesh;
     std::vector<std::uint32_t> faceOrigin;
     strict_detail::FillMesh(view, mesh, faceOrigin);

@@ -125,7 +125,7 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
     const int threads = ResolveThreads(parameters.threads);
     const auto cancelled = [&](int percent) {
-        report.cancelled = parameters.progress && !parameters.progress(percent, "Refinement");
+        report.cancelled = parameters.progress && !parameters.progress(percent, "Refining");
         return report.cancelled;
     };
     if (cancelled(0)) return report;

@@ -130,7 +130,7 @@ inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh
         for (const std::uint32_t f : folded) {
             if (attempts == 0) break;
             --attempts;
-            report.cancelled = progress && !progress(percent, "Unfolding faces");
+            report.cancelled = progress && !progress(percent, "Repairing folds");
             if (report.cancelled) return report;
             unfolder.Mend(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);
         }
