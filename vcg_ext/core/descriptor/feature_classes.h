@@ -53,7 +53,8 @@ inline void Check(const MeshView& mesh, const std::vector<double>& descriptor,
         refuse("selected_classes", std::to_string(parameters.selectedClasses),
                "[1, " + std::to_string(k - 1) + "]");
     if (parameters.minimumFeatureNeighbours < 1)
-        refuse("minimum_feature_neighbours", std::to_string(parameters.minimumFeatureNeighbours), "[1, infinity)");
+        refuse("minimum_feature_neighbours", std::to_string(parameters.minimumFeatureNeighbours),
+               "[1, infinity)");
     if (!(parameters.refinementFloor >= 0 && parameters.refinementFloor <= 1))
         refuse("refinement_floor", std::to_string(parameters.refinementFloor), "[0, 1]");
 }

@@ -167,8 +167,7 @@ inline Clusters KMeans1D(const std::vector<double>& values, int classes)
     const std::vector<kmeans_detail::Bin> bins = kmeans_detail::MakeBins(values);
     if (static_cast<std::size_t>(classes) > bins.size())
         throw std::invalid_argument("classes = " + std::to_string(classes) +
-                                    " exceeds the number of distinct values, " +
-                                    std::to_string(bins.size()));
+                                    " exceeds the number of distinct values, " + std::to_string(bins.size()));
     const std::vector<std::size_t> starts =
         kmeans_detail::OptimalCuts(bins).Find(static_cast<std::size_t>(classes));
     Clusters clusters;
