@@ -41,9 +41,9 @@ inline void CheckParameters(const DecimationParameters& parameters)
     const double weight = parameters.featureWeight;
     if (!(weight >= 0 && weight <= 50)) // negated, so NaN is refused too
         throw std::invalid_argument("feature_weight = " + std::to_string(weight) + " is outside [0, 50]");
-    if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is below 1");
+    if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is less than 1");
     if (parameters.threads < 0)
-        throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is below 0");
+        throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is less than 0");
 }
 
 /// Checks that the view can be simplified. \throws std::invalid_argument that says what is wrong, with the
@@ -52,8 +52,8 @@ inline void CheckMesh(const MeshView& view)
 {
     if (view.faceCount == 0) throw std::invalid_argument("the mesh has no faces");
     if (const std::size_t bad = CountNonFinite(view))
-        throw std::invalid_argument("the mesh has " + std::to_string(bad) +
-                                    " vertices with coordinates that are not finite numbers");
+        throw std::invalid_argument("the coordinates of " + std::to_string(bad) + " of " +
+                                    std::to_string(view.vertexCount) + " vertices are not finite");
 }
 
 /// What is done with a collapsed surface, and when: percent of the time, roughly.

@@ -53,7 +53,7 @@ class SweepLoader
         if (view.faceCount >= kMostFaces || view.vertexCount >= kMostVertices)
             throw std::length_error("the mesh has " + std::to_string(view.faceCount) + " faces and " +
                                     std::to_string(view.vertexCount) +
-                                    " vertices; the sweep engine takes fewer than 2^29 and 2^30");
+                                    " vertices; the engine handles fewer than 2^29 faces and 2^30 vertices");
     }
 
     void Load()

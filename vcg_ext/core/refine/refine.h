@@ -118,7 +118,7 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     RefinementReport report;
     if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
     const int threads = ResolveThreads(parameters.threads);
-    const auto reached = [&](int percent) { parameters.progress(percent, "Refinement"); };
+    const auto reached = [&](int percent) { parameters.progress(percent, "Refining"); };
     reached(0);
     if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
     RefinementState state{original,
