@@ -184,8 +184,7 @@ class UmbrellaRings
 /// Positions after smoothing; those of vertices without faces, outside the mask or on a fixed border are the
 /// input's.
 /// \pre as OneRings \throws std::invalid_argument where a parameter is outside its range, Cancelled
-inline std::vector<Coordinates> SmoothedPositions(const MeshView& mesh,
-                                                  const SmoothingParameters& parameters)
+inline std::vector<Coordinates> SmoothedPositions(const MeshView& mesh, const SmoothingParameters& parameters)
 {
     if (parameters.steps < 1 || parameters.steps > 10000)
         throw std::invalid_argument("steps = " + std::to_string(parameters.steps) + " is outside [1, 10000]");
@@ -196,7 +195,7 @@ inline std::vector<Coordinates> SmoothedPositions(const MeshView& mesh,
     const UmbrellaRings rings(mesh, parameters.boundary, parameters.movable);
     std::vector<Coordinates> now(mesh.vertexCount), next(mesh.vertexCount);
     for (std::size_t v = 0; v < mesh.vertexCount; ++v) now[v] = mesh.Position(v);
-    const int threads = ThreadsThatPay(parameters.threads, mesh.faceCount);
+    const int threads = UsefulThreadCount(parameters.threads, mesh.faceCount);
     for (int step = 0; step < parameters.steps; ++step) {
         progress(100 * step / parameters.steps, "Umbrella smoothing");
         constexpr std::size_t kGrain = 2048;

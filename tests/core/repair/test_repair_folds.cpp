@@ -150,8 +150,9 @@ class TestRepairFolds : public QObject
                 // within a thousandth it may be an edge of both sides, and either answer is right
                 if (std::abs(truth.along2 - truth.against2) <= 1e-3F * nearest2) continue;
                 const bool against = truth.against2 < truth.along2;
-                QCOMPARE(tree.LooksAgainst(p, direction), against);
-                if (truth.along2 < kFar) QCOMPARE(tree.LooksAgainst(p, direction, 4 * truth.along2), against);
+                QCOMPARE(tree.FacesAwayFrom(p, direction), against);
+                if (truth.along2 < kFar)
+                    QCOMPARE(tree.FacesAwayFrom(p, direction, 4 * truth.along2), against);
             }
         }
     }

@@ -15,10 +15,6 @@
 #include <emmintrin.h>
 #endif
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi" // no call passes a Float8, as all of them are inlined
-#endif
-
 namespace vcg_ext
 {
 
@@ -237,6 +233,16 @@ using IntLike = typename IntegersLike<Real>::Int;
 template <class Real>
 using UnsignedLike = typename IntegersLike<Real>::Unsigned;
 
+/// As numbers, not as bits. \pre below 2^31
+inline Float4 ToFloats(Unsigned4 integers)
+{
+    return __builtin_convertvector(reinterpret_cast<Int4>(integers), Float4);
+}
+/// \p a becomes NaN in the lanes of \p mask.
+inline void MakeNan(Float4& a, Int4 mask)
+{
+    a = Floats(Bits(a) | mask);
+}
 /// As many triples as lanes, their first, second and third members.
 inline void LoadTriples(const std::uint32_t* p, Unsigned4& first, Unsigned4& second, Unsigned4& third)
 {

@@ -85,6 +85,15 @@ void RunOnThreads(int threads, const Work& work)
 
 #endif
 
+/// As ResolveThreads, but not more threads than pay for a few passes over so many faces: on a busy machine a
+/// second one starts and ends no sooner than tens of milliseconds.
+inline int UsefulThreadCount(int requested, std::size_t faces)
+{
+    constexpr std::size_t kFacesPerThread = 250000;
+    return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(ResolveThreads(requested)),
+                                                  1 + faces / kFacesPerThread));
+}
+
 /// Calls body(item, thread) once for every item in [0, items), on \p threads threads, the next free thread
 /// taking the next item. Returns when all are done; the first exception of a body is thrown on.
 /// \pre bodies of different items share no data that one of them writes, so the outcome cannot depend on

@@ -83,10 +83,6 @@ constexpr float kRefusedKey = 1e38f;
 /// No threshold is higher: what is refused stays out of reach.
 constexpr float kHighestThreshold = 5e37f;
 
-// Tables, because what a corner's index is cannot be predicted.
-inline constexpr std::uint8_t kNextIndex[4] = {1, 2, 0, 0};
-inline constexpr std::uint8_t kPreviousIndex[4] = {2, 0, 1, 0};
-
 /// Everything that the collapses read and write. Vertices are in Morton order, faces in the order of their
 /// smallest vertex, so that neighbours in space are neighbours in memory.
 struct SweepState {

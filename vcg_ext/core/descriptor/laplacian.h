@@ -126,7 +126,7 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads, boo
 inline std::vector<double> LaplacianDescriptor(const MeshView& mesh, int threads = 1)
 {
     if (mesh.fauxEdges != nullptr) return OneRingDescriptor<LaplacianFold>(mesh, threads);
-    threads = ThreadsThatPay(threads, mesh.faceCount);
+    threads = UsefulThreadCount(threads, mesh.faceCount);
     const bool eightAtOnce = HasAvx2();
     return mesh.doublePositions ? LaplacianDescriptorOf<double>(mesh, threads, eightAtOnce)
                                 : LaplacianDescriptorOf<float>(mesh, threads, eightAtOnce);

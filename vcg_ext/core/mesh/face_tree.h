@@ -86,7 +86,8 @@ class FaceTree
     /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
     /// unit vector? \param along2 squared distance to some face that does not, if one is known: that saves
     /// most of the time
-    bool LooksAgainst(const Vector3<float>& point, const Vector3<float>& direction, float along2 = kFar) const
+    bool FacesAwayFrom(const Vector3<float>& point, const Vector3<float>& direction,
+                       float along2 = kFar) const
     {
         // Most often all faces around look along it. That is seen without finding the closest one: none that
         // looks against it may be closer than some face that does not.

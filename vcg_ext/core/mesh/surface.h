@@ -42,6 +42,10 @@ inline Corner MakeCorner(std::uint32_t face, int index)
     return face << 2 | static_cast<std::uint32_t>(index);
 }
 
+// Tables, because what a corner's index is cannot be predicted.
+inline constexpr std::uint8_t kNextIndex[4] = {1, 2, 0, 0};
+inline constexpr std::uint8_t kPreviousIndex[4] = {2, 0, 1, 0};
+
 /// A triangle mesh with the corners around every vertex: what the sweep engine hands to the refinement.
 ///
 /// The corners of vertex v are corners[cornerOffset[v] .. cornerOffset[v] + cornerCount[v]), in no special
@@ -81,13 +85,11 @@ inline std::uint32_t CornerCapacity(const SurfaceArrays& surface, std::uint32_t 
 /// The vertex after that of \p corner in its face, and the one after that.
 inline std::uint32_t NextVertex(const SurfaceArrays& surface, Corner corner)
 {
-    constexpr int kNext[3] = {1, 2, 0};
-    return surface.triangles[FaceOf(corner)].v[kNext[IndexOf(corner)]];
+    return surface.triangles[FaceOf(corner)].v[kNextIndex[IndexOf(corner)]];
 }
 inline std::uint32_t PreviousVertex(const SurfaceArrays& surface, Corner corner)
 {
-    constexpr int kPrevious[3] = {2, 0, 1};
-    return surface.triangles[FaceOf(corner)].v[kPrevious[IndexOf(corner)]];
+    return surface.triangles[FaceOf(corner)].v[kPreviousIndex[IndexOf(corner)]];
 }
 inline bool HasVertex(const SurfaceTriangle& triangle, std::uint32_t v)
 {

@@ -15,33 +15,6 @@
 namespace vcg_ext
 {
 
-/// Reusable room for values that are written before they are read; never shrinks.
-template <class T>
-class Scratch
-{
-    std::vector<T> values_;
-    std::size_t size_ = 0;
-
-  public:
-    /// Values behind the old size are whatever was there.
-    void Resize(std::size_t size)
-    {
-        if (size > values_.size()) values_.resize(size + size / 2);
-        size_ = size;
-    }
-    T& Append()
-    {
-        Resize(size_ + 1);
-        return values_[size_ - 1];
-    }
-    void Clear() { size_ = 0; }
-    std::size_t size() const { return size_; }
-    T* begin() { return values_.data(); }
-    T* end() { return values_.data() + size_; }
-    T& operator[](std::size_t i) { return values_[i]; }
-    const T& operator[](std::size_t i) const { return values_[i]; }
-};
-
 /// A face around a vertex, seen from that vertex.
 struct StarTriangle {
     std::uint32_t face;

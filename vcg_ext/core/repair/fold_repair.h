@@ -36,8 +36,8 @@ inline bool IsFolded(const FaceTree& original, const PlacedTriangle& face,
 {
     if (!(face.shape.doubleArea > 0)) return false;
     const Vector3<float> centroid = face.origin + (1.0F / 3) * (face.ToSecond() + face.ToThird());
-    if (!onSurface) return original.LooksAgainst(centroid, NormalOf(face.shape));
-    return original.LooksAgainst(centroid, NormalOf(face.shape), SquaredNorm(*onSurface - centroid));
+    if (!onSurface) return original.FacesAwayFrom(centroid, NormalOf(face.shape));
+    return original.FacesAwayFrom(centroid, NormalOf(face.shape), SquaredNorm(*onSurface - centroid));
 }
 
 /// Mends folded faces of a simplified surface, each by the edge flip or the move of one of its vertices that
