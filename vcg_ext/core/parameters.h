@@ -11,29 +11,29 @@ namespace vcg_ext
 
 /// How open borders are treated.
 enum class Boundary {
-    Free,     ///< as any other edge
-    Preserve, ///< planes perpendicular to the border keep its course
-    Lock      ///< border vertices neither move nor go
+    Free,     ///< like any other edge
+    Preserve, ///< planes perpendicular to the border keep its shape
+    Lock      ///< border vertices neither move nor disappear
 };
 
-/// Geometry against time.
+/// Quality/speed trade-off.
 enum class Effort {
     Fast,     ///< collapse only
-    Balanced, ///< and refinement
-    Best      ///< measured order and refinement
+    Balanced, ///< collapse, then refine
+    Best      ///< collapse in the order of the measured error, then refine
 };
 
-/// Who runs the collapses.
+/// Collapse algorithm.
 enum class Order {
     Sweeps, ///< the parallel engine on arrays
-    Strict  ///< VCG's LocalOptimization, one thread
+    Strict  ///< VCG's queue (LocalOptimization), one thread
 };
 
 enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancelled = 3 };
 
 /// What a decimation does. The defaults are those of the filter.
 struct DecimationParameters {
-    std::size_t targetFaces = 0; ///< at least 1; as many faces as remain at the most, where it can be reached
+    std::size_t targetFaces = 0; ///< at least 1; at most so many faces remain, if that can be reached
     double featureWeight = 2;    ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
     Effort effort = Effort::Balanced;
     Boundary boundary = Boundary::Preserve;
