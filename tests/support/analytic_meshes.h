@@ -218,6 +218,16 @@ inline IndexedMesh Merged(IndexedMesh a, const IndexedMesh& b)
     return a;
 }
 
+/// A sphere in a slightly larger one that looks the other way: a shell with an inside and an outside.
+inline IndexedMesh Shell(int levels, double thickness)
+{
+    IndexedMesh inner = Icosphere(levels);
+    for (auto& p : inner.points)
+        for (double& x : p) x *= 1 - thickness;
+    for (auto& t : inner.triangles) std::swap(t[1], t[2]);
+    return Merged(Icosphere(levels), inner);
+}
+
 /// Two pyramids that share nothing but their apex: a non-manifold vertex (0).
 inline IndexedMesh BowTie()
 {

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "analytic_meshes.h"
+#include "mesh_checks.h"
 #include "vcg_ext/core/collapse/engine.h"
 
 using namespace vcg_ext;
@@ -19,33 +20,9 @@ using test_meshes::IndexedMesh;
 namespace
 {
 
-struct Faults {
-    std::size_t nonManifoldEdges = 0, borderEdges = 0, duplicates = 0, degenerate = 0;
-    std::ptrdiff_t eulerCharacteristic = 0; ///< of the vertices that have faces
-};
-
-template <class Triangles>
-Faults FaultsOf(const Triangles& triangles)
+test_meshes::Defects DefectsOf(const DecimatedMesh& mesh)
 {
-    Faults faults;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    std::set<std::array<std::uint32_t, 3>> seen;
-    std::set<std::uint32_t> vertices;
-    for (auto t : triangles) {
-        vertices.insert(t.begin(), t.end());
-        for (std::size_t k = 0; k < 3; ++k) ++edges[std::minmax(t[k], t[(k + 1) % 3])];
-        std::sort(t.begin(), t.end());
-        faults.degenerate += t[0] == t[1] || t[1] == t[2];
-        faults.duplicates += !seen.insert(t).second;
-    }
-    for (const auto& [edge, faces] : edges) {
-        faults.borderEdges += faces == 1;
-        faults.nonManifoldEdges += faces > 2;
-    }
-    faults.eulerCharacteristic = static_cast<std::ptrdiff_t>(vertices.size()) -
-                                 static_cast<std::ptrdiff_t>(edges.size()) +
-                                 static_cast<std::ptrdiff_t>(triangles.size());
-    return faults;
+    return test_meshes::FindDefects({mesh.positions, mesh.triangles, {}});
 }
 
 DecimationParameters Parameters(std::size_t target, int threads = 1)
@@ -75,10 +52,11 @@ void VerifySound(const IndexedMesh& input, const DecimatedMesh& result)
         for (const double x : p) QVERIFY(std::isfinite(x));
     for (const auto& t : result.triangles)
         for (const std::uint32_t v : t) QVERIFY(v < result.positions.size());
-    const Faults before = FaultsOf(input.triangles), after = FaultsOf(result.triangles);
+    const test_meshes::Defects before = test_meshes::FindDefects(input), after = DefectsOf(result);
     QVERIFY(after.nonManifoldEdges <= before.nonManifoldEdges);
-    QVERIFY(after.duplicates <= before.duplicates);
-    QCOMPARE(after.degenerate, std::size_t{0});
+    QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
+    QVERIFY(after.duplicateFaces <= before.duplicateFaces);
+    QVERIFY(after.degenerateFaces <= before.degenerateFaces);
 }
 
 bool SameBytes(const DecimatedMesh& a, const DecimatedMesh& b)
@@ -300,8 +278,8 @@ class TestEngine : public QObject
             DecimationParameters parameters = Parameters(1);
             parameters.preserveTopology = true;
             const DecimatedMesh result = Collapsed(View(mesh), parameters);
-            QCOMPARE(FaultsOf(result.triangles).eulerCharacteristic,
-                     FaultsOf(mesh.triangles).eulerCharacteristic);
+            QCOMPARE(DefectsOf(result).eulerCharacteristic,
+                     test_meshes::FindDefects(mesh).eulerCharacteristic);
             QCOMPARE(result.stopReason, StopReason::NoLegalCollapse);
         }
     }
@@ -315,7 +293,7 @@ class TestEngine : public QObject
             parameters.preserveTopology = topology;
             const DecimatedMesh result = Collapsed(View(mesh), parameters);
             VerifySound(mesh, result);
-            return FaultsOf(result.triangles).borderEdges;
+            return DefectsOf(result).borderEdges;
         };
         QVERIFY(borderEdges(100, false) > 0);
         QVERIFY(borderEdges(1, true) > 0);

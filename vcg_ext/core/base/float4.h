@@ -183,6 +183,14 @@ template <>
 {
     return Splat(x);
 }
+inline float Min(float a, float b)
+{
+    return a < b ? a : b;
+}
+inline double Min(double a, double b)
+{
+    return a < b ? a : b;
+}
 inline float Max(float a, float b)
 {
     return a > b ? a : b;

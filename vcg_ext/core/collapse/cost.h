@@ -184,14 +184,7 @@ struct StarSums {
 /// The lanes of all sums added up.
 inline StarSums<float> Summed(const StarSums<Float4>& sums)
 {
-    const auto vector = [](const Vector3<Float4>& a) {
-        return Vector3<float>{SumLanes(a.x), SumLanes(a.y), SumLanes(a.z)};
-    };
-    const SymmetricMatrix3<Float4>& m = sums.star;
-    return {vector(sums.edges),
-            vector(sums.normal),
-            SumLanes(sums.length),
-            {SumLanes(m.xx), SumLanes(m.xy), SumLanes(m.xz), SumLanes(m.yy), SumLanes(m.yz), SumLanes(m.zz)}};
+    return {SumLanes(sums.edges), SumLanes(sums.normal), SumLanes(sums.length), SumLanes(sums.star)};
 }
 
 /// Eq. 5: |sum of (v_j - v).n| / sum of |v_j - v|, in [0, 1]; 0 where there is no normal.

@@ -133,6 +133,14 @@ inline Vector3<float> NormalOf(const PreparedTriangle<float>& t)
     return {t.nx, t.ny, t.nz};
 }
 
+/// Four triangles anywhere.
+struct FourTriangles {
+    Vector3<Float4> a, b, c; ///< the first corner, and the others seen from it
+
+    Vector3<Float4> Seen(const Vector3<float>& p) const { return Splat(p) - a; }
+    PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z); }
+};
+
 struct FourClosestPoints {
     Float4 distance2;
     Int4 inside;                ///< the closest point is the projection on the plane

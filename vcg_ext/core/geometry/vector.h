@@ -67,6 +67,11 @@ inline Vector3<float> Lane(const Vector3<Float4>& a, int lane)
 {
     return {a.x[lane], a.y[lane], a.z[lane]};
 }
+/// The sum of the four.
+inline Vector3<float> SumLanes(const Vector3<Float4>& a)
+{
+    return {SumLanes(a.x), SumLanes(a.y), SumLanes(a.z)};
+}
 inline void SetLane(Vector3<Float4>& a, int lane, const Vector3<float>& value)
 {
     a.x[lane] = value.x;

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+// Passes over the vertices of a surface that threads share. Which vertex is visited when depends on the
+// surface and the size of the blocks only, and two vertices that are visited at the same time share nothing
+// that is written; so no result depends on the number of threads.
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
-
-/// Orders of work over the vertices that threads can share. They depend on the surface and the size of the
-/// blocks only; so does every result, because two vertices treated at the same time share nothing that is
-/// written.
 
 /// Do all faces around \p v lie in the range? Then nobody outside it changes what is read or written.
 inline bool HasStar(const VertexRange& range, const SurfaceArrays& surface, std::uint32_t v)
@@ -37,18 +37,18 @@ inline std::vector<VertexRange> VertexBlocks(std::size_t vertices, std::uint32_t
     return blocks;
 }
 
-/// Calls treat(v, thread) for all vertices \p wanted whose star lies in their block, block by block, and
+/// Calls visit(v, thread) for all vertices \p wanted whose star lies in their block, block by block, and
 /// returns the others in ascending order.
-template <class Wanted, class Treat>
-std::vector<std::uint32_t> TreatBlocks(const SurfaceArrays& surface, const std::vector<VertexRange>& blocks,
-                                       int threads, const Wanted& wanted, const Treat& treat)
+template <class Wanted, class Visit>
+std::vector<std::uint32_t> VisitInBlocks(const SurfaceArrays& surface, const std::vector<VertexRange>& blocks,
+                                         int threads, const Wanted& wanted, const Visit& visit)
 {
     std::vector<std::vector<std::uint32_t>> seams(blocks.size());
     ParallelFor(threads, blocks.size(), [&](std::size_t b, int thread) {
         for (std::uint32_t v = blocks[b].begin; v < blocks[b].end; ++v) {
             if (!wanted(v)) continue;
             if (HasStar(blocks[b], surface, v))
-                treat(v, thread);
+                visit(v, thread);
             else
                 seams[b].push_back(v);
         }
@@ -59,56 +59,56 @@ std::vector<std::uint32_t> TreatBlocks(const SurfaceArrays& surface, const std::
 }
 
 /// Classes of \p vertices, no two of a class on a common face: each takes the first class that is free.
-inline std::vector<std::vector<std::uint32_t>> Colours(const SurfaceArrays& surface,
-                                                       const std::vector<std::uint32_t>& vertices)
+inline std::vector<std::vector<std::uint32_t>> ColorClasses(const SurfaceArrays& surface,
+                                                            const std::vector<std::uint32_t>& vertices)
 {
-    Buffer<std::uint32_t> colour(surface.VertexCount());
-    std::fill(colour.begin(), colour.end(), kNone);
+    Buffer<std::uint32_t> color(surface.VertexCount());
+    std::fill(color.begin(), color.end(), kNone);
     std::vector<std::vector<std::uint32_t>> classes;
-    std::vector<std::uint32_t> takenBy; // the last vertex that found each colour around it
+    std::vector<std::uint32_t> takenBy; // the last vertex that found each color around it
     for (const std::uint32_t v : vertices) {
         for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
             for (const std::uint32_t w : {NextVertex(surface, *c), PreviousVertex(surface, *c)})
-                if (colour[w] != kNone) takenBy[colour[w]] = v;
+                if (color[w] != kNone) takenBy[color[w]] = v;
         std::uint32_t free = 0;
         while (free < takenBy.size() && takenBy[free] == v) ++free;
         if (free == takenBy.size()) {
             takenBy.push_back(kNone);
             classes.emplace_back();
         }
-        colour[v] = free;
+        color[v] = free;
         classes[free].push_back(v);
     }
     return classes;
 }
 
-/// treat may write to the faces around its vertex and to the vertex: blocks, then what lies between them by
-/// colours.
-template <class Wanted, class Treat>
-void TreatStars(const SurfaceArrays& surface, std::uint32_t blockVertices, int threads, const Wanted& wanted,
-                const Treat& treat)
+/// Calls visit(v, thread) for all vertices \p wanted. It may write to the vertex and to the faces around it,
+/// but not change which faces those are: first in blocks, then what lies between them by colors.
+template <class Wanted, class Visit>
+void ForEachStar(const SurfaceArrays& surface, std::uint32_t blockVertices, int threads, const Wanted& wanted,
+                 const Visit& visit)
 {
     constexpr std::size_t kGrain = 64;
     const auto blocks = VertexBlocks(surface.VertexCount(), blockVertices, false);
-    const auto rest = TreatBlocks(surface, blocks, threads, wanted, treat);
-    for (const auto& sameColour : Colours(surface, rest))
-        ParallelRanges(threads, sameColour.size(), kGrain,
+    const auto rest = VisitInBlocks(surface, blocks, threads, wanted, visit);
+    for (const auto& sameColor : ColorClasses(surface, rest))
+        ParallelRanges(threads, sameColor.size(), kGrain,
                        [&](std::size_t begin, std::size_t end, int thread) {
-                           for (std::size_t i = begin; i < end; ++i) treat(sameColour[i], thread);
+                           for (std::size_t i = begin; i < end; ++i) visit(sameColor[i], thread);
                        });
 }
 
-/// treat may also change the connectivity around its vertex: blocks, blocks shifted by half, then one by one.
-template <class Wanted, class Treat>
-void TreatConnectivity(const SurfaceArrays& surface, std::uint32_t blockVertices, int threads,
-                       const Wanted& wanted, const Treat& treat)
+/// Calls visit(v, thread) for all vertices \p wanted. It may also change the edges of the faces around the
+/// vertex: first in blocks, then in blocks shifted by half, then one by one.
+template <class Wanted, class Visit>
+void ForEachStarWithEdges(const SurfaceArrays& surface, std::uint32_t blockVertices, int threads,
+                          const Wanted& wanted, const Visit& visit)
 {
-    std::vector<std::uint32_t> rest = TreatBlocks(
-        surface, VertexBlocks(surface.VertexCount(), blockVertices, false), threads, wanted, treat);
+    const auto blocks = VertexBlocks(surface.VertexCount(), blockVertices, false);
+    const auto rest = VisitInBlocks(surface, blocks, threads, wanted, visit);
     const auto isLeft = [&](std::uint32_t v) { return std::binary_search(rest.begin(), rest.end(), v); };
-    const std::vector<std::uint32_t> last = TreatBlocks(
-        surface, VertexBlocks(surface.VertexCount(), blockVertices, true), threads, isLeft, treat);
-    for (const std::uint32_t v : last) treat(v, 0);
+    const auto shifted = VertexBlocks(surface.VertexCount(), blockVertices, true);
+    for (const std::uint32_t v : VisitInBlocks(surface, shifted, threads, isLeft, visit)) visit(v, 0);
 }
 
 } // namespace vcg_ext
