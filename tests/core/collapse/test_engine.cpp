@@ -339,6 +339,18 @@ class TestEngine : public QObject
         QCOMPARE(onBorder, std::size_t{80});
     }
 
+    /// Every edge across a strip joins two vertices of its border: merging them would leave a pinched vertex.
+    void aNarrowStripIsNotPinched()
+    {
+        const IndexedMesh strip = test_meshes::Noisy(test_meshes::Grid(40, 1), 0.1);
+        for (const Boundary boundary : {Boundary::Free, Boundary::Preserve})
+            for (std::size_t target = 2; target < strip.triangles.size(); target += 6) {
+                DecimationParameters parameters = Parameters(target);
+                parameters.boundary = boundary;
+                VerifySound(strip, Collapsed(View(strip), parameters));
+            }
+    }
+
     void aFreeBorderMayBeEaten()
     {
         DecimationParameters parameters = Parameters(100);
