@@ -21,7 +21,7 @@
 #include "vcg_ext/curvature.h"
 #include "vcg_ext/core/descriptor/feature_classes.h"
 #include "vcg_ext/mesh_arrays.h"
-#include "vcg_ext/ordered/weighted_decimate.h"
+#include "vcg_ext/ordered/decimate.h"
 
 namespace laplacian_simplify
 {

@@ -82,7 +82,7 @@ inline DecimatedMesh DecimateStrictly(const MeshView& view, const DecimationPara
     const bool refined = parameters.effort != Effort::Fast;
     DecimationParameters part = parameters;
     if (refined) part.progress = ProgressPart(parameters.progress, 0, kCollapsePart);
-    StrictDecimation result = DecimateStrict(view, part);
+    OrderedDecimation result = DecimateOrdered(view, part);
     if (!refined || result.mesh.stopReason == StopReason::Cancelled) return std::move(result.mesh);
     part.progress = ProgressPart(parameters.progress, kCollapsePart, 100);
     if (!RefineDecimated(view, result.mesh, result.root, part))

@@ -15,6 +15,7 @@
 #include "vcg_ext/core/base/stable_scatter.h"
 #include "vcg_ext/core/collapse/arena.h"
 #include "vcg_ext/core/base/morton.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
 
 namespace vcg_ext::sweeps
