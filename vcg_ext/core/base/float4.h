@@ -233,6 +233,12 @@ using IntLike = typename IntegersLike<Real>::Int;
 template <class Real>
 using UnsignedLike = typename IntegersLike<Real>::Unsigned;
 
+/// \pre below 2^31
+inline Float4 ToFloats(Unsigned4 a)
+{
+    return __builtin_convertvector(reinterpret_cast<Int4>(a), Float4);
+}
+
 /// As many triples as lanes, their first, second and third members.
 inline void LoadTriples(const std::uint32_t* p, Unsigned4& first, Unsigned4& second, Unsigned4& third)
 {

@@ -35,7 +35,7 @@ struct VertexSums {
 template <class Real>
 [[gnu::always_inline]] inline Real MarksOf(const UnsignedLike<Real>& mixed)
 {
-    return __builtin_convertvector(reinterpret_cast<IntLike<Real>>(mixed >> 11), Real);
+    return ToFloats(mixed >> 11);
 }
 
 /// Of 64 bits, one in every byte, that stand for a vertex among the neighbours of another: one vertex of
@@ -148,7 +148,7 @@ class FaceBatch
         WeighCorners(length, normal, weight);
         const Real product = length[0] * length[1];
         const IntLike<Real> usual = Dot(normal, normal) > kSharp2 * (product * product) + kTiny;
-        normal.x = reinterpret_cast<Real>(reinterpret_cast<IntLike<Real>>(normal.x) | ~usual);
+        normal.x = Floats(Bits(normal.x) | ~usual);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vectors weighted = weight[k] * normal;
             const Real columns[8]{mark_[(k + 2) % 3] - mark_[(k + 1) % 3],
