@@ -10,7 +10,7 @@
 
 #include <vcg/complex/complex.h>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext
 {

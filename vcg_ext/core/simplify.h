@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -18,7 +18,10 @@
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/measure/report.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/refine/refine.h"
 #include "vcg_ext/core/repair/repair_folds.h"
 
@@ -38,9 +41,9 @@ inline void CheckParameters(const DecimationParameters& parameters)
     const double weight = parameters.featureWeight;
     if (!(weight >= 0 && weight <= 50)) // negated, so NaN is refused too
         throw std::invalid_argument("feature_weight = " + std::to_string(weight) + " is outside [0, 50]");
-    if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is below 1");
+    if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is less than 1");
     if (parameters.threads < 0)
-        throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is below 0");
+        throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is less than 0");
 }
 
 /// Checks that the view can be simplified. \throws std::invalid_argument that says what is wrong, with the
@@ -49,8 +52,8 @@ inline void CheckMesh(const MeshView& view)
 {
     if (view.faceCount == 0) throw std::invalid_argument("the mesh has no faces");
     if (const std::size_t bad = CountNonFinite(view))
-        throw std::invalid_argument("the mesh has " + std::to_string(bad) +
-                                    " vertices with coordinates that are not finite numbers");
+        throw std::invalid_argument("the coordinates of " + std::to_string(bad) + " of " +
+                                    std::to_string(view.vertexCount) + " vertices are not finite");
 }
 
 /// What is done with a collapsed surface, and when: percent of the time, roughly.
@@ -60,6 +63,18 @@ struct PipelineStages {
     int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 95;
 };
+
+constexpr std::size_t kDistanceSamples = 100000; ///< a side, beside all vertices
+
+/// The tree of the original's faces that fold repair and measurement share, in the frame of the result;
+/// nothing where no face is left.
+inline std::optional<FaceTree> TreeOf(const MeshView& original, const DecimatedMesh& mesh,
+                                      const std::vector<std::uint32_t>& faceOrder, int threads)
+{
+    if (mesh.triangles.empty()) return std::nullopt;
+    std::vector<std::uint8_t> fixed;
+    return std::make_optional<FaceTree>(original, FrameOf(ViewOf(mesh, original, fixed)), threads, faceOrder);
+}
 
 /// The way from a mesh to its simplification, the same for every collapse:
 ///
@@ -93,17 +108,19 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
             faceOrder = std::move(surface.faceOrder);
             descriptor = std::move(surface.descriptor);
         }
-        if (stages.repairFolds)
-            RepairFolds(view, result.mesh, parameters.boundary, threads, faceOrder,
+        const std::optional<FaceTree> tree = TreeOf(view, result.mesh, faceOrder, threads);
+        if (stages.repairFolds && tree)
+            RepairFolds(view, *tree, result.mesh, parameters.boundary, threads,
                         progress.Part(stages.repairBegins, 100));
         result.report = CountsOf(view, result.mesh, parameters.targetFaces);
         result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (parameters.measureError && result.report.faces > 0) {
+        if (parameters.measureError && tree) {
             if (descriptor.empty()) {
                 const std::vector<double> values = LaplacianDescriptor(view, threads);
                 descriptor.assign(values.begin(), values.end());
             }
-            result.report.distances = MeasureDistances(view, result.mesh, descriptor, 100000, threads);
+            result.report.distances =
+                MeasureDistances(view, *tree, result.mesh, descriptor, kDistanceSamples, threads);
         }
     } catch (const Cancelled&) {
         result = {};
@@ -113,6 +130,18 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
     }
     return result;
 }
+
+/// CollapseEngine as the first stage of the pipeline.
+struct SweepCollapse {
+    const DecimationParameters& parameters;
+
+    CollapsedSurface operator()(const MeshView& view, KeptForLater kept, StageProgress progress) const
+    {
+        CollapseEngine engine(view, parameters, kept, std::move(progress));
+        engine.Collapse(parameters.targetFaces);
+        return std::move(engine).Extract();
+    }
+};
 
 /// Simplifies a mesh of plain arrays, which stays as it is. The collapse is that of CollapseEngine.
 ///
@@ -134,12 +163,7 @@ inline Simplification Simplify(const MeshView& view, const DecimationParameters&
     PipelineStages stages;
     stages.refine = parameters.effort != Effort::Fast;
     if (!stages.refine) stages.collapseEnds = stages.repairBegins;
-    return RunPipeline(view, parameters, stages,
-                       [&](const MeshView& mesh, KeptForLater kept, StageProgress progress) {
-                           CollapseEngine engine(mesh, parameters, kept, std::move(progress));
-                           engine.Collapse(parameters.targetFaces);
-                           return std::move(engine).Extract();
-                       });
+    return RunPipeline(view, parameters, stages, SweepCollapse{parameters});
 }
 
 } // namespace vcg_ext

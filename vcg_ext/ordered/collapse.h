@@ -13,8 +13,8 @@
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
-#include "vcg_ext/core/mesh/decimated_view.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/ordered/decimate.h"
 #include "vcg_ext/ordered/mesh.h"
 

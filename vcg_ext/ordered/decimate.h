@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/descriptors.h"
 #include "vcg_ext/ordered/guided.h"
 #include "vcg_ext/ordered/measured.h"

@@ -103,11 +103,10 @@ struct ErrorFunctionRow {
 /// All error functions, in the order of their numbers. A further one is a function and a row.
 constexpr ErrorFunctionRow kErrorFunctions[] = {
     {ErrorFunction::Quadric, "quadric", "Quadric error",
-     "Squared distances to the planes merged into both ends (Garland and Heckbert 1997), optimal placement.",
+     "Squared distances to the planes accumulated at both ends (Garland and Heckbert 1997), optimal placement.",
      false, true, QuadricError},
     {ErrorFunction::ShortestEdge, "shortest_edge", "Shortest edge first",
-     "Length of the edge (Eq. 7); a vertex moves onto its nearest neighbour.", true, false,
-     ShortestEdgeError},
+     "Length of the edge (Eq. 7); a vertex moves onto its nearest neighbor.", true, false, ShortestEdgeError},
     {ErrorFunction::Melax, "melax", "Melax",
      "Length of the edge times how much the surface bends around the removed vertex (Melax 1998).", true,
      false, MelaxError},

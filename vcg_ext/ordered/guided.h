@@ -11,7 +11,7 @@
 #include "vcg_ext/ordered/frame.h"
 #include "vcg_ext/ordered/legality.h"
 #include "vcg_ext/ordered/queue.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/stars.h"
 
 namespace vcg_ext

@@ -14,7 +14,8 @@
 #include <vcg/complex/algorithms/local_optimization/tri_edge_collapse.h>
 
 #include "vcg_ext/ordered/ring.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/base/progress.h"
 
 namespace vcg_ext
 {

@@ -9,7 +9,7 @@
 
 #include "vcg_ext/ordered/frame.h"
 #include "vcg_ext/ordered/ring.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/quadric.h"
 #include "vcg_ext/ordered/star_face.h"
 

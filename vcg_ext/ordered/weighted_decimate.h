@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/ordered/mesh.h"
 #include "vcg_ext/ordered/weighted.h"
 
@@ -21,7 +23,6 @@ namespace vcg_ext
 /// The decimation of Zhang et al., "Laplacian-Based Feature Preserving Mesh Simplification" (2012).
 struct WeightedParameters : WeightedCollapseParameters {
     std::size_t targetFaces = 0; ///< at least 1
-    StageProgress progress;
 };
 
 namespace weighted_detail
@@ -62,14 +63,15 @@ inline std::vector<double> AbsoluteCurvature(const std::vector<double>& mean,
 /// \pre finite coordinates
 /// \throws std::invalid_argument where a vector of the parameters does not fit the view, or lambda is not a
 ///         number of 0 or more
-inline StrictDecimation DecimateWeighted(const MeshView& view, WeightedParameters parameters)
+inline StrictDecimation DecimateWeighted(const MeshView& view, WeightedParameters parameters,
+                                         const StageProgress& progress = {})
 {
     weighted_detail::CheckLength(parameters.descriptor, view, "descriptor");
     weighted_detail::CheckLength(parameters.quadricWeights, view, "quadric weights");
     weighted_detail::CheckLength(parameters.featureClass, view, "feature classes");
     if (!(parameters.featureWeight >= 0))
         throw std::invalid_argument("feature_weight = " + std::to_string(parameters.featureWeight) +
-                                    " is below 0");
+                                    " is less than 0");
     StrictMesh mesh;
     std::vector<std::uint32_t> faceOrigin;
     strict_detail::FillMesh(view, mesh, faceOrigin);
@@ -77,7 +79,7 @@ inline StrictDecimation DecimateWeighted(const MeshView& view, WeightedParameter
         parameters.fixedVertices = strict_detail::FixedVertices(view, mesh, Boundary::Preserve);
     WeightedCollapse<StrictMesh> method(mesh, parameters);
     CollapseRun<StrictMesh, WeightedCollapse<StrictMesh>> run(mesh, method);
-    const StopReason reason = run.Decimate(parameters.targetFaces, parameters.progress);
+    const StopReason reason = run.Decimate(parameters.targetFaces, progress);
     StrictDecimation result = strict_detail::Collect(view, mesh, faceOrigin, method);
     result.mesh.stopReason = reason;
     return result;

@@ -183,6 +183,14 @@ template <>
 {
     return Splat(x);
 }
+inline float Min(float a, float b)
+{
+    return a < b ? a : b;
+}
+inline double Min(double a, double b)
+{
+    return a < b ? a : b;
+}
 inline float Max(float a, float b)
 {
     return a > b ? a : b;
@@ -233,12 +241,16 @@ using IntLike = typename IntegersLike<Real>::Int;
 template <class Real>
 using UnsignedLike = typename IntegersLike<Real>::Unsigned;
 
-/// \pre below 2^31
-inline Float4 ToFloats(Unsigned4 a)
+/// As numbers, not as bits. \pre below 2^31
+inline Float4 ToFloats(Unsigned4 integers)
 {
-    return __builtin_convertvector(reinterpret_cast<Int4>(a), Float4);
+    return __builtin_convertvector(reinterpret_cast<Int4>(integers), Float4);
 }
-
+/// \p a becomes NaN in the lanes of \p mask.
+inline void MakeNan(Float4& a, Int4 mask)
+{
+    a = Floats(Bits(a) | mask);
+}
 /// As many triples as lanes, their first, second and third members.
 inline void LoadTriples(const std::uint32_t* p, Unsigned4& first, Unsigned4& second, Unsigned4& third)
 {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <vector>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -15,7 +16,6 @@
 #include <functional>
 #include <system_error>
 #include <thread>
-#include <vector>
 #endif
 
 namespace vcg_ext
@@ -85,6 +85,15 @@ void RunOnThreads(int threads, const Work& work)
 
 #endif
 
+/// As ResolveThreads, but not more threads than pay for a few passes over so many faces: on a busy machine a
+/// second one starts and ends no sooner than tens of milliseconds.
+inline int UsefulThreadCount(int requested, std::size_t faces)
+{
+    constexpr std::size_t kFacesPerThread = 250000;
+    return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(ResolveThreads(requested)),
+                                                  1 + faces / kFacesPerThread));
+}
+
 /// Calls body(item, thread) once for every item in [0, items), on \p threads threads, the next free thread
 /// taking the next item. Returns when all are done; the first exception of a body is thrown on.
 /// \pre bodies of different items share no data that one of them writes, so the outcome cannot depend on
@@ -124,11 +133,54 @@ void ParallelRanges(int threads, std::size_t items, std::size_t grain, const Bod
     });
 }
 
+/// The vertices begin .. end - 1, which one thread works on.
+struct VertexRange {
+    std::uint32_t begin, end;
+
+    bool Has(std::uint32_t v) const { return v - begin < end - begin; }
+};
+
 /// Adds \p amount to \p counter, which other threads add to at the same time, and returns what it held
 /// before. What is claimed this way arrives in no fixed order: sort it before a result can depend on it.
 inline std::uint32_t FetchAdd(std::uint32_t& counter, std::uint32_t amount)
 {
     return __atomic_fetch_add(&counter, amount, __ATOMIC_RELAXED); // std::atomic_ref comes with C++20
+}
+
+/// One pass of a counting sort: item i goes behind all items of lower buckets and behind the earlier items of
+/// its own, so the order does not depend on the number of threads.
+/// \param bucketOf bucketOf(item) in [0, buckets), called twice an item
+/// \param move move(item, place) puts the item where it belongs
+/// \return the first place of every bucket, and the number of items behind them
+/// \pre fewer than 2^32 items
+template <class BucketOf, class Move>
+std::vector<std::uint32_t> StableScatter(int threads, std::size_t items, std::size_t buckets,
+                                         const BucketOf& bucketOf, const Move& move)
+{
+    const std::size_t parts = items < 4096 ? 1 : static_cast<std::size_t>(std::max(1, threads));
+    const auto partBegin = [&](std::size_t part) { return items * part / parts; };
+    std::vector<std::uint32_t> place(parts * buckets, 0);
+    ParallelFor(threads, parts, [&](std::size_t part, int) {
+        std::uint32_t* count = place.data() + part * buckets;
+        for (std::size_t i = partBegin(part); i < partBegin(part + 1); ++i) ++count[bucketOf(i)];
+    });
+    std::vector<std::uint32_t> first(buckets + 1);
+    std::uint32_t total = 0;
+    for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+        first[bucket] = total;
+        for (std::size_t part = 0; part < parts; ++part) {
+            std::uint32_t& here = place[part * buckets + bucket];
+            const std::uint32_t count = here;
+            here = total;
+            total += count;
+        }
+    }
+    first[buckets] = total;
+    ParallelFor(threads, parts, [&](std::size_t part, int) {
+        std::uint32_t* next = place.data() + part * buckets;
+        for (std::size_t i = partBegin(part); i < partBegin(part + 1); ++i) move(i, next[bucketOf(i)]++);
+    });
+    return first;
 }
 
 } // namespace vcg_ext

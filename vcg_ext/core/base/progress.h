@@ -14,7 +14,7 @@ using Progress = std::function<bool(int percent, const char* stage)>;
 
 /// What a stage throws when the caller's progress has asked to stop. Nobody's mesh has changed by then.
 struct Cancelled : std::runtime_error {
-    Cancelled() : std::runtime_error("cancelled; the mesh is unchanged") {}
+    Cancelled() : std::runtime_error("canceled; the mesh is unchanged") {}
 };
 
 /// The progress of one stage: its 0..100 are a part of the caller's.

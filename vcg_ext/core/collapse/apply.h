@@ -10,7 +10,7 @@
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Carries out a collapse that was found good: the stars are gathered and the ring is evaluated at the
@@ -159,4 +159,4 @@ class CollapseWriter
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

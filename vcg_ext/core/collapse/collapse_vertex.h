@@ -10,7 +10,7 @@
 #include "vcg_ext/core/collapse/legality.h"
 #include "vcg_ext/core/collapse/ring_trial.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// What a sweep allows.
@@ -193,4 +193,4 @@ class VertexVisitor
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
@@ -19,7 +20,7 @@ namespace vcg_ext
 /// What a collapse hands on to the stages behind it: the surface that is left and, where the refinement needs
 /// it, the original in the same frame.
 struct CollapsedSurface {
-    SurfaceFrame frame;
+    Frame frame;
     SurfaceArrays simplified;           ///< corner lists are filled where `original` is
     Buffer<std::uint32_t> vertexOrigin; ///< the input vertex that each of its vertices was
     Buffer<std::uint32_t> faceOrigin;   ///< the input face that each of its faces was
@@ -55,7 +56,7 @@ inline std::array<double, 3> PositionOf(const MeshView& input, const CollapsedSu
                                         std::uint32_t v)
 {
     if (surface.simplified.flags[v] & kMovedVertex)
-        return surface.frame.FromFrame(surface.simplified.points[v]);
+        return surface.frame.OutOf(::vcg_ext::PositionOf(surface.simplified, v));
     return surface.positions.empty() ? input.Position(surface.vertexOrigin[v]) : surface.positions[v];
 }
 

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "vcg_ext/core/geometry/symmetric_matrix.h"
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Relative weight that pulls a placement to the edge's midpoint: 1e-6 of the mean eigenvalue.
@@ -27,8 +27,6 @@ constexpr float kVolumeWeight = 3.0f;
 constexpr float kPoorQuality = 0.03f;
 /// A surviving face must not turn farther than this cosine: 78 degrees.
 constexpr float kTurnCosine = 0.2f;
-/// What keeps a division finite where all faces of both stars have no area, in the frame of 1024 a diagonal.
-constexpr float kTiny = 1e-30f;
 
 /// Two millionths of the diagonal, in the frame of 1024 a diagonal: errors below this are rounding. An input
 /// in float has a thirtieth of it already, and every placement that is computed adds as much.
@@ -70,7 +68,7 @@ struct EdgeEnd {
 template <class Real>
 [[gnu::always_inline]] inline Real MidpointPull(const SymmetricMatrix3<Real>& m)
 {
-    return Max(m.Trace() * kMidpointPull, Broadcast<Real>(kTiny));
+    return Max(m.Trace() * kMidpointPull, Broadcast<Real>(kSmallestSquare));
 }
 
 /// Half the way from a to b.
@@ -174,7 +172,7 @@ struct StarSums {
     void Add(const Vector3<Real>& a, const Vector3<Real>& b, const Real& lengthA, const Real& lengthB,
              const Vector3<Real>& scaledNormal, const Real& inverseRoot)
     {
-        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Broadcast<Real>(kTiny));
+        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Broadcast<Real>(kSmallestSquare));
         const Real chord = Sqrt(Max(Real{}, 2.0f - 2.0f * cosine)) * inverseRoot;
         edges = edges + (a + b);
         normal = normal + chord * scaledNormal;
@@ -186,14 +184,7 @@ struct StarSums {
 /// The lanes of all sums added up.
 inline StarSums<float> Summed(const StarSums<Float4>& sums)
 {
-    const auto vector = [](const Vector3<Float4>& a) {
-        return Vector3<float>{SumLanes(a.x), SumLanes(a.y), SumLanes(a.z)};
-    };
-    const SymmetricMatrix3<Float4>& m = sums.star;
-    return {vector(sums.edges),
-            vector(sums.normal),
-            SumLanes(sums.length),
-            {SumLanes(m.xx), SumLanes(m.xy), SumLanes(m.xz), SumLanes(m.yy), SumLanes(m.yz), SumLanes(m.zz)}};
+    return {SumLanes(sums.edges), SumLanes(sums.normal), SumLanes(sums.length), SumLanes(sums.star)};
 }
 
 /// Eq. 5: |sum of (v_j - v).n| / sum of |v_j - v|, in [0, 1]; 0 where there is no normal.
@@ -245,4 +236,4 @@ inline float QualityPenalty(float worst2)
     return worst2 >= kPoor2 ? 1.0f : std::sqrt(kPoor2 / std::max(worst2, kNoQuality2));
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -15,9 +15,10 @@
 #include "vcg_ext/core/collapse/initialize.h"
 #include "vcg_ext/core/collapse/load.h"
 #include "vcg_ext/core/collapse/schedule.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
@@ -39,11 +40,11 @@ struct KeptForLater {
 /// outlives the object; coordinates are finite and indices are below vertexCount
 class CollapseEngine
 {
-    sweeps::SweepState state_;
+    SweepState state_;
     int threads_;
     StageProgress progress_;
     CollapsedSurface surface_; ///< what is known of it already
-    sweeps::SweepSchedule schedule_;
+    SweepSchedule schedule_;
 
   public:
     /// Computes descriptor, quadrics and costs. \param progress of the calls of Collapse
@@ -88,17 +89,17 @@ class CollapseEngine
     static constexpr std::size_t kGrain = 1 << 14;
     static constexpr std::uint32_t kNowhere = ~std::uint32_t{0};
 
-    sweeps::SweepState& Start(const MeshView& view, const DecimationParameters& parameters, KeptForLater kept)
+    SweepState& Start(const MeshView& view, const DecimationParameters& parameters, KeptForLater kept)
     {
         state_.featureWeight = static_cast<float>(parameters.featureWeight);
         state_.ratchetRecomputes = view.guidance == nullptr;
         state_.bordersCount = parameters.boundary != Boundary::Free;
         state_.preserveTopology = parameters.preserveTopology;
         state_.keepOriginal = kept.original;
-        sweeps::SweepLoader(view, state_, threads_).Load();
-        sweeps::SweepStarter(view, state_, threads_, parameters.boundary).Start();
+        SweepLoader(view, state_, threads_).Load();
+        SweepStarter(view, state_, threads_, parameters.boundary).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
-        surface_.frame = {state_.centre, 1 / state_.unit, state_.unit};
+        surface_.frame = state_.frame;
         if (kept.original) KeepOriginal();
         if (kept.descriptor && view.guidance == nullptr) KeepDescriptor(view.vertexCount);
         return state_;
@@ -172,8 +173,8 @@ class CollapseEngine
         surface_.faceOrigin.Allocate(state_.aliveFaces);
         surface_.faceOrder.reserve(state_.faces.size());
         std::size_t to = 0;
-        for (const sweeps::FaceRecord& face : state_.faces) {
-            surface_.faceOrder.push_back(face.origin & ~sweeps::FaceRecord::kDead);
+        for (const FaceRecord& face : state_.faces) {
+            surface_.faceOrder.push_back(face.origin & ~FaceRecord::kDead);
             if (!face.Alive()) continue;
             surface_.simplified.triangles[to] = {{place[face.v[0]], place[face.v[1]], place[face.v[2]]}};
             surface_.faceOrigin[to++] = face.origin;

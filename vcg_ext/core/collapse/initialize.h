@@ -11,8 +11,9 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/border_planes.h"
 #include "vcg_ext/core/collapse/state.h"
+#include "vcg_ext/core/parameters.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Gives every vertex its descriptor, weight and quadrics before the first collapse. One pass over the stars,
@@ -129,7 +130,7 @@ class SweepStarter
             a = mask * (a - centre);
             b = mask * (b - centre);
             m = mask * m;
-            const Float4 inverseRoot = 1.0f / Sqrt(Max(Dot(m, m), Splat(kTiny)));
+            const Float4 inverseRoot = 1.0f / Sqrt(Max(Dot(m, m), Splat(kSmallestSquare)));
             sums.Add(a, b, Sqrt(Dot(a, a)), Sqrt(Dot(b, b)), m, inverseRoot);
         }
         return Summed(sums);
@@ -250,4 +251,4 @@ class SweepStarter
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

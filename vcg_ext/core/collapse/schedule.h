@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/sweep.h"
+#include "vcg_ext/core/parameters.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Chooses the threshold of every sweep and decides when there is nothing left to do.
@@ -175,4 +176,4 @@ class SweepSchedule
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/geometry/vector.h"
 

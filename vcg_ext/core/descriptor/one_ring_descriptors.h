@@ -118,7 +118,7 @@ template <class Fold>
 std::vector<double> OneRingDescriptor(const MeshView& mesh, int threads = 1)
 {
     std::vector<double> values(mesh.vertexCount, 0);
-    threads = ThreadsThatPay(threads, mesh.faceCount);
+    threads = UsefulThreadCount(threads, mesh.faceCount);
     const OneRings rings(mesh, threads);
     if (mesh.doublePositions)
         FoldOneRings<Fold, double>(mesh, rings, threads, values);

@@ -8,10 +8,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/float8.h"
+#include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/vector.h"
 
 // One pass over the faces that adds up, at every vertex, what the Laplacian descriptor is made of. Every
@@ -60,13 +61,6 @@ struct DirectedEdge {
     {
         return a.from == b.from && a.to == b.to;
     }
-};
-
-/// The vertices that a thread adds up for.
-struct VertexRange {
-    std::size_t first, count;
-
-    bool Has(std::uint32_t v) const { return v - first < count; }
 };
 
 /// Takes the faces in batches of as many as a Real has lanes.
@@ -147,8 +141,8 @@ class FaceBatch
         Vectors normal = Cross(edge_[0], edge_[1]);
         WeighCorners(length, normal, weight);
         const Real product = length[0] * length[1];
-        const IntLike<Real> usual = Dot(normal, normal) > kSharp2 * (product * product) + kTiny;
-        normal.x = Floats(Bits(normal.x) | ~usual);
+        const auto usual = Dot(normal, normal) > kSharp2 * (product * product) + kTiny;
+        MakeNan(normal.x, ~usual);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vectors weighted = weight[k] * normal;
             const Real columns[8]{mark_[(k + 2) % 3] - mark_[(k + 1) % 3],
@@ -212,7 +206,7 @@ template <class Real, class Scalar>
     };
     std::size_t f = 0;
     const std::size_t last = mesh.faceCount > kAhead ? mesh.faceCount - kAhead : 0; // to read ahead from
-    if (range.count == mesh.vertexCount) {
+    if (range.end - range.begin == mesh.vertexCount) {
         for (; f + kFaces <= last; f += kFaces) {
             const std::uint32_t* corners = mesh.triangles + 3 * f;
             readAhead(corners, kFaces);

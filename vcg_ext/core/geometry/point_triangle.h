@@ -13,9 +13,6 @@
 namespace vcg_ext
 {
 
-/// Squares smaller than this are taken for it where something is divided by them.
-constexpr float kSmallestSquare = 1e-30F;
-
 template <class Real>
 struct ClosestPointOf {
     Real distance2;  ///< square of the distance
@@ -135,6 +132,14 @@ inline Vector3<float> NormalOf(const PreparedTriangle<float>& t)
 {
     return {t.nx, t.ny, t.nz};
 }
+
+/// Four triangles anywhere.
+struct FourTriangles {
+    Vector3<Float4> a, b, c; ///< the first corner, and the others seen from it
+
+    Vector3<Float4> Seen(const Vector3<float>& p) const { return Splat(p) - a; }
+    PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z); }
+};
 
 struct FourClosestPoints {
     Float4 distance2;

@@ -51,6 +51,12 @@ template <class Real>
            d.z * (m.zz * d.z);
 }
 
+/// The sum of four matrices.
+inline SymmetricMatrix3<float> SumLanes(const SymmetricMatrix3<Float4>& m)
+{
+    return {SumLanes(m.xx), SumLanes(m.xy), SumLanes(m.xz), SumLanes(m.yy), SumLanes(m.yz), SumLanes(m.zz)};
+}
+
 /// The x that is least for x^T (M + e I) x - 2 rhs.x, by LDL^T: e pulls it to the origin in the directions
 /// that \p m leaves open. Pivots are held at e / 2 or above, so that rounding cannot make the solution wild.
 /// \param e > 0 \pre \p m is positive semi-definite but for rounding

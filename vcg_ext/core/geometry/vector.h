@@ -6,6 +6,10 @@
 namespace vcg_ext
 {
 
+/// Squares of lengths, and sums of such, that are smaller than this are taken for it where something is
+/// divided by them; in the frame of kFrameDiagonal.
+constexpr float kSmallestSquare = 1e-30F;
+
 /// A point or direction, left uninitialised unless braces follow.
 /// \tparam Real float or double; Float4 or Float8: as many vectors as it has lanes
 template <class Real>
@@ -62,6 +66,11 @@ inline Vector3<Float4> Select(Int4 mask, const Vector3<Float4>& yes, const Vecto
 inline Vector3<float> Lane(const Vector3<Float4>& a, int lane)
 {
     return {a.x[lane], a.y[lane], a.z[lane]};
+}
+/// The sum of the four.
+inline Vector3<float> SumLanes(const Vector3<Float4>& a)
+{
+    return {SumLanes(a.x), SumLanes(a.y), SumLanes(a.z)};
 }
 inline void SetLane(Vector3<Float4>& a, int lane, const Vector3<float>& value)
 {

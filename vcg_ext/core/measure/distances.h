@@ -13,10 +13,10 @@
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/measure/exact_surface.h"
-#include "vcg_ext/core/mesh/decimated_view.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/face_tree.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
@@ -77,8 +77,9 @@ OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, 
     std::vector<OneWay> parts((count + kGrain - 1) / kGrain);
     ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
         OneWay& part = parts[begin / kGrain];
+        ExactSurface::Search search;
         for (std::size_t i = begin; i < end; ++i) {
-            const double distance2 = to.Distance2(point(i));
+            const double distance2 = to.Distance2(point(i), search);
             part.sumOfSquares += distance2;
             part.largest2 = std::max(part.largest2, distance2);
         }
@@ -96,10 +97,11 @@ inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface&
 {
     std::vector<std::size_t> parts((simplified.FaceCount() + kGrain - 1) / kGrain);
     ParallelRanges(threads, simplified.FaceCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+        ExactSurface::Search search;
         for (std::size_t f = begin; f < end; ++f) {
             const Vector3<double> centroid =
                 (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
-            if (original.FacesAwayFrom(centroid, simplified.AreaVector(f))) ++parts[begin / kGrain];
+            if (original.FacesAwayFrom(centroid, simplified.AreaVector(f), search)) ++parts[begin / kGrain];
         }
     });
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
@@ -132,19 +134,19 @@ inline std::vector<std::uint32_t> LargestTenth(std::vector<std::uint32_t> vertic
 } // namespace distance_detail
 
 /// Measures both ways with \p samples points by area a side and every vertex of both.
-/// \param original with a face \param tree of its faces, in \p frame
+/// \param original with a face \param tree of its faces
 /// \param simplified with a face \param descriptor one value a vertex of \p original, says where its features
 /// are \pre finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
-                                       const SurfaceFrame& frame, const DecimatedMesh& simplified,
-                                       const std::vector<float>& descriptor, std::size_t samples, int threads)
+                                       const DecimatedMesh& simplified, const std::vector<float>& descriptor,
+                                       std::size_t samples, int threads)
 {
     using namespace distance_detail;
     std::vector<std::uint8_t> fixed;
     const MeshView result = ViewOf(simplified, original, fixed);
-    const FaceTree resultTree(result, frame, threads);
-    const float slack = RoundingOf(original, result, frame);
-    const ExactSurface from(original, tree, frame, slack), to(result, resultTree, frame, slack);
+    const FaceTree resultTree(result, tree.frame(), threads);
+    const float slack = RoundingOf(original, result, tree.frame());
+    const ExactSurface from(original, tree, slack), to(result, resultTree, slack);
 
     const auto fromPoints = SamplePoints(from, samples), toPoints = SamplePoints(to, samples);
     const auto vertices = ReferencedVertices(original);
@@ -160,8 +162,8 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     const auto back = Measure(
         from, result.vertexCount, [&](std::size_t v) { return to.Vertex(v); }, threads);
 
-    // The frame may be the simplified mesh's; percents are of the original's diagonal
-    const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / frame.scale);
+    // The frame may be the simplified mesh's; percents are of the original's diagonal.
+    const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / tree.frame().scale);
     DistanceReport report;
     report.hausdorff =
         percent * std::sqrt(std::max({forward.largest2, backward.largest2, corners.largest2, back.largest2}));
@@ -177,9 +179,8 @@ inline DistanceReport MeasureDistances(const MeshView& original, const Decimated
                                        int threads = 0)
 {
     threads = ResolveThreads(threads);
-    const SurfaceFrame frame = FrameOf(original);
-    return MeasureDistances(original, FaceTree(original, frame, threads), frame, simplified, descriptor,
-                            samples, threads);
+    const FaceTree tree(original, FrameOf(original), threads);
+    return MeasureDistances(original, tree, simplified, descriptor, samples, threads);
 }
 
 } // namespace vcg_ext

@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "vcg_ext/core/measure/distances.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/edge_counts.h"
 
 namespace vcg_ext

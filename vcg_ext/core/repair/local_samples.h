@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/base/float4.h"
+#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
@@ -20,9 +22,16 @@ struct PlacedTriangle {
     Vector3<float> ToThird() const { return {shape.cx, shape.cy, shape.cz}; }
 };
 
+inline PlacedTriangle Placed(const SurfaceArrays& surface, const SurfaceTriangle& triangle)
+{
+    const Vector3<float> a = PositionOf(surface, triangle.v[0]);
+    return {a,
+            PrepareTriangle(PositionOf(surface, triangle.v[1]) - a, PositionOf(surface, triangle.v[2]) - a)};
+}
+
 /// Points of one surface, each with the area that it stands for, and how far they are from a part of another
 /// surface that changes, and from the rest, which does not.
-class NearbySamples
+class LocalSamples
 {
     struct Group {
         Vector3<Float4> point;
@@ -57,16 +66,11 @@ class NearbySamples
         for (std::size_t i = 0; i < samples_.size(); i += stride, ++lane) {
             const auto& [point, area] = samples_[i];
             if (lane == kLanes) {
-                groups_.push_back({{Splat(point.x), Splat(point.y), Splat(point.z)},
-                                   Splat(0.0F),
-                                   Splat(kNothingNear),
-                                   Splat(kNothingNear)});
+                groups_.push_back({Splat(point), Splat(0.0F), Splat(kNothingNear), Splat(kNothingNear)});
                 lane = 0;
             }
             Group& group = groups_.back();
-            group.point.x[lane] = point.x;
-            group.point.y[lane] = point.y;
-            group.point.z[lane] = point.z;
+            SetLane(group.point, lane, point);
             group.area[lane] = area * static_cast<float>(stride);
         }
     }

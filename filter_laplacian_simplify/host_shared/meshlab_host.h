@@ -4,17 +4,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include <common/ml_document/mesh_document.h>
-
 #include "host_masks.h"
+#include "meshlab_version.h"
 
 namespace laplacian_simplify
 {
 
-/// The Host of host.h in MeshLab 2022.02 and later: one run on the current mesh of a document.
+/// The Host of host.h in any MeshLab: one run on the current mesh of a document.
 class MeshLabHost
 {
     MeshDocument& document_;
@@ -26,14 +26,18 @@ class MeshLabHost
     using MeshType = CMeshO;
 
     /// \param callback may be null
-    /// \throws std::invalid_argument where the document has no current mesh
+    /// \throws std::invalid_argument if the document has no current mesh
     MeshLabHost(MeshDocument& document, vcg::CallBackPos* callback,
-                std::function<void(const std::string&)> log);
+                std::function<void(const std::string&)> log)
+        : document_(document), model_(document.mm()), callback_(callback), log_(std::move(log))
+    {
+        if (!model_) throw std::invalid_argument("there is no current mesh");
+    }
 
     CMeshO& Mesh() { return model_->cm; }
     void Require(std::uint32_t data) { model_->updateDataMask(HostMask<MeshModel>(data)); }
-    void ContinueOnCopy();
-    void GeometryChanged() { model_->updateBoxAndNormals(); }
+    void ContinueOnCopy() { model_ = &AddCopy(document_, *model_, model_->label() + " simplified"); }
+    void GeometryChanged() { UpdateBoxAndNormals(*model_); }
     void Log(const std::string& line) { log_(line); }
     bool Progress(int percent, const char* stage) { return !callback_ || callback_(percent, stage); }
 };

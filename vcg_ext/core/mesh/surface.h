@@ -7,11 +7,66 @@
 #include <cstdint>
 #include <utility>
 
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/geometry/vector.h"
 
 namespace vcg_ext
 {
+
+/// No vertex, no face, the end of a list.
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// A point of the engine's frame (p - box centre) * 1024 / diagonal, and one number that belongs to it.
+struct alignas(16) SurfacePoint {
+    float x, y, z;
+    float weight; ///< original surface: e^{lambda l} with lambda = 2; simplified surface: unused
+};
+static_assert(sizeof(SurfacePoint) == 16, "loaded as one vector of four floats");
+
+struct SurfaceTriangle {
+    std::uint32_t v[3];
+};
+
+/// A corner names a face and which of its three vertices is meant, as 4 * face + index.
+using Corner = std::uint32_t;
+inline std::uint32_t FaceOf(Corner corner)
+{
+    return corner >> 2;
+}
+inline int IndexOf(Corner corner)
+{
+    return static_cast<int>(corner & 3);
+}
+inline Corner MakeCorner(std::uint32_t face, int index)
+{
+    return face << 2 | static_cast<std::uint32_t>(index);
+}
+
+// Tables, because what a corner's index is cannot be predicted.
+inline constexpr std::uint8_t kNextIndex[4] = {1, 2, 0, 0};
+inline constexpr std::uint8_t kPreviousIndex[4] = {2, 0, 1, 0};
+
+/// A triangle mesh with the corners around every vertex: what the sweep engine hands to the refinement.
+///
+/// The corners of vertex v are corners[cornerOffset[v] .. cornerOffset[v] + cornerCount[v]), in no special
+/// order; its list has room for cornerCapacity of them where lists must be able to grow.
+struct SurfaceArrays {
+    Buffer<SurfacePoint> points;
+    Buffer<SurfaceTriangle> triangles;
+    Buffer<std::uint32_t> cornerOffset; ///< one more than vertices: the last is the end of the pool
+    Buffer<std::uint32_t> cornerCount;
+    Buffer<Corner> corners;
+    Buffer<std::uint8_t> flags; ///< of SurfaceFlag, one byte per vertex
+
+    std::size_t VertexCount() const { return points.size(); }
+    std::size_t FaceCount() const { return triangles.size(); }
+};
+
+enum SurfaceFlag : std::uint8_t {
+    kBorderVertex = 1, ///< on an edge that does not have exactly two faces
+    kFixedVertex = 2,  ///< must keep its position (selection, lock)
+    kMovedVertex = 4   ///< simplified surface: is not where the input had it
+};
 
 /// Walks over the corners of SurfaceArrays.
 inline const Corner* BeginCorners(const SurfaceArrays& surface, std::uint32_t v)
@@ -30,13 +85,11 @@ inline std::uint32_t CornerCapacity(const SurfaceArrays& surface, std::uint32_t 
 /// The vertex after that of \p corner in its face, and the one after that.
 inline std::uint32_t NextVertex(const SurfaceArrays& surface, Corner corner)
 {
-    constexpr int kNext[3] = {1, 2, 0};
-    return surface.triangles[FaceOf(corner)].v[kNext[IndexOf(corner)]];
+    return surface.triangles[FaceOf(corner)].v[kNextIndex[IndexOf(corner)]];
 }
 inline std::uint32_t PreviousVertex(const SurfaceArrays& surface, Corner corner)
 {
-    constexpr int kPrevious[3] = {2, 0, 1};
-    return surface.triangles[FaceOf(corner)].v[kPrevious[IndexOf(corner)]];
+    return surface.triangles[FaceOf(corner)].v[kPreviousIndex[IndexOf(corner)]];
 }
 inline bool HasVertex(const SurfaceTriangle& triangle, std::uint32_t v)
 {

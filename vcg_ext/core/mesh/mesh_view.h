@@ -9,8 +9,6 @@
 #include <cstring>
 #include <vector>
 
-#include "vcg_ext/core/base/progress.h"
-
 namespace vcg_ext
 {
 
@@ -46,50 +44,6 @@ struct MeshView {
         }
         return p;
     }
-};
-
-/// How open borders are treated.
-enum class Boundary {
-    Free,     ///< as any other edge
-    Preserve, ///< planes perpendicular to the border keep its course
-    Lock      ///< border vertices neither move nor go
-};
-
-/// Geometry against time.
-enum class Effort {
-    Fast,     ///< collapse only
-    Balanced, ///< and refinement
-    Best      ///< measured order and refinement
-};
-
-/// Who runs the collapses.
-enum class Order {
-    Sweeps, ///< the parallel engine on arrays
-    Strict  ///< VCG's LocalOptimization, one thread
-};
-
-enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancelled = 3 };
-
-/// What a decimation does. The defaults are those of the filter.
-struct DecimationParameters {
-    std::size_t targetFaces = 0; ///< at least 1; as many faces as remain at the most, where it can be reached
-    double featureWeight = 2;    ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
-    Effort effort = Effort::Balanced;
-    Boundary boundary = Boundary::Preserve;
-    bool preserveTopology = false; ///< full link condition: handles and holes stay
-    Order order = Order::Sweeps;
-    int threads = 0;          ///< 0: all; the result does not depend on it
-    bool measureError = true; ///< fill DecimationReport::distances
-    Progress progress;        ///< may be empty
-};
-
-/// The outcome: a subset of the input's vertices and faces, vertices at new places, both in input order.
-struct DecimatedMesh {
-    std::vector<std::array<double, 3>> positions;
-    std::vector<std::uint32_t> vertexOrigin;             ///< the input vertex that each vertex was
-    std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of positions
-    std::vector<std::uint32_t> faceOrigin;               ///< the input face that each face was
-    StopReason stopReason = StopReason::Target;
 };
 
 /// Referenced vertices with a coordinate that is not a finite number.

@@ -9,40 +9,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
 
-/// The similarity between a mesh's own coordinates and the single precision frame of SurfaceArrays.
-struct SurfaceFrame {
-    std::array<double, 3> center{0, 0, 0};
-    double scale = 1; ///< frame units per unit of the mesh, > 0
-    double unit = 1;  ///< 1 / scale: length in the mesh of one frame unit
-
-    SurfacePoint ToFrame(const std::array<double, 3>& p, float weight) const
-    {
-        return {static_cast<float>((p[0] - center[0]) * scale),
-                static_cast<float>((p[1] - center[1]) * scale),
-                static_cast<float>((p[2] - center[2]) * scale), weight};
-    }
-    std::array<double, 3> FromFrame(const SurfacePoint& p) const
-    {
-        return {static_cast<double>(p.x) * unit + center[0], static_cast<double>(p.y) * unit + center[1],
-                static_cast<double>(p.z) * unit + center[2]};
-    }
-};
-
-/// Length of the bounding box's diagonal in the frame.
-constexpr double kFrameDiagonal = 1024;
-
 /// The frame in which the vertices on faces of \p view fill a box about the origin with that diagonal.
-inline SurfaceFrame FrameOf(const MeshView& view)
+inline Frame FrameOf(const MeshView& view)
 {
-    SurfaceFrame frame;
+    Frame frame;
     if (view.faceCount == 0) return frame;
     std::array<double, 3> low = view.Position(view.triangles[0]), high = low;
     for (std::size_t k = 0; k < 3 * view.faceCount; ++k) {
@@ -114,7 +92,7 @@ inline void MarkBorderVertices(SurfaceArrays& surface, int threads = 1)
 /// \param frame the same for both meshes of a pair
 /// \param weights of the vertices as sample weights, e^{2 l}; null: 1 each
 /// \throws std::bad_alloc
-inline SurfaceArrays BuildSurfaceArrays(const MeshView& view, const SurfaceFrame& frame,
+inline SurfaceArrays BuildSurfaceArrays(const MeshView& view, const Frame& frame,
                                         const float* weights = nullptr, int threads = 1)
 {
     SurfaceArrays surface;
@@ -123,7 +101,8 @@ inline SurfaceArrays BuildSurfaceArrays(const MeshView& view, const SurfaceFrame
     surface.triangles.Allocate(view.faceCount);
     ParallelRanges(threads, view.vertexCount, 8192, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t v = begin; v < end; ++v) {
-            surface.points[v] = frame.ToFrame(view.Position(v), weights ? weights[v] : 1.0F);
+            const Vector3<float> p = frame.Into(view.Position(v));
+            surface.points[v] = {p.x, p.y, p.z, weights ? weights[v] : 1.0F};
             surface.flags[v] = view.fixedVertices && view.fixedVertices[v] ? kFixedVertex : 0;
         }
     });
