@@ -84,6 +84,29 @@ class TestExactSurface : public QObject
         }
     }
 
+    /// The heights over needles are rounding in single precision. There is an answer all the same, and it is
+    /// at most by the width of a needle too long.
+    void needlesHaveADistance()
+    {
+        test_meshes::IndexedMesh fan;
+        constexpr int kNeedles = 200;
+        constexpr double kWidth = 2e-6;
+        fan.points.push_back({0, 0, 0});
+        for (int i = 0; i <= kNeedles; ++i) fan.points.push_back({1, kWidth * i, 1e-7 * (i % 3)});
+        for (std::uint32_t i = 1; i <= kNeedles; ++i) fan.AddTriangle(0, i, i + 1);
+        const Searched searched(fan);
+        const double width = kWidth * searched.surface.Vertex(1).x * 2; // in the frame, more or less
+        ExactSurface::Search search;
+        for (int i = 0; i < 2000; ++i) {
+            const double x = 900 * (std::fmod(i * 0.7548776662466927, 1.0) - 0.5);
+            const Vector3<double> p{x, 1e-3 * std::fmod(i * 0.5698402909980532, 1.0), 1e-4 * (i % 7)};
+            const double found = std::sqrt(searched.surface.Distance2(p, search));
+            const double expected = std::sqrt(searched.BruteForce2(p));
+            QVERIFY2(found >= expected && found <= expected + std::fabs(width) + 1e-3,
+                     qPrintable(QString("%1 %2").arg(found).arg(expected)));
+        }
+    }
+
     void coincidingFacesAreOneSurface()
     {
         test_meshes::IndexedMesh pile;

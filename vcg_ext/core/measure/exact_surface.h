@@ -73,8 +73,7 @@ class ExactSurface
     /// Squared distance of \p p to the surface.
     double Distance2(const Vector3<double>& p, Search& search) const
     {
-        FindClosest(p, search);
-        double nearest2 = std::numeric_limits<double>::infinity();
+        double nearest2 = FindClosest(p, search);
         for (const FaceTree::Candidate& candidate : search.found) {
             const double distance2 = Distance2ToFace(candidate.face, p);
             if (!(distance2 < nearest2)) continue;
@@ -93,6 +92,7 @@ class ExactSurface
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         double along2 = kInfinity, away2 = kInfinity;
         FindClosest(p, search);
+        if (search.last) search.found.push_back({0, *search.last});
         for (const FaceTree::Candidate& candidate : search.found) {
             double& side2 = Dot(AreaVector(candidate.face), direction) < 0 ? away2 : along2;
             const double distance2 = Distance2ToFace(candidate.face, p);
@@ -103,14 +103,20 @@ class ExactSurface
     }
 
   private:
-    void FindClosest(const Vector3<double>& p, Search& search) const
+    /// Fills search.found. \return the squared distance to search.last: of a needle the tree knows the
+    /// distance with an error far above the slack, so that it may find nothing as close; infinity where there
+    /// is none
+    double FindClosest(const Vector3<double>& p, Search& search) const
     {
+        double nearest2 = std::numeric_limits<double>::infinity();
         double limit2 = std::numeric_limits<float>::max();
         if (search.last) {
-            const double reach = std::sqrt(Distance2ToFace(*search.last, p)) + slack_;
+            nearest2 = Distance2ToFace(*search.last, p);
+            const double reach = std::sqrt(nearest2) + slack_;
             limit2 = std::min(limit2, reach * reach);
         }
         tree_.FindClosest(Rounded(p), static_cast<float>(slack_), static_cast<float>(limit2), search.found);
+        return nearest2;
     }
 };
 
