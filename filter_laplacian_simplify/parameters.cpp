@@ -123,8 +123,8 @@ const std::vector<Parameter>& Parameters()
         {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight (0-50)",
          "Lambda of Eq. 6. 0: the plain error function.", {}},
         {"effort", {kGuided}, Type::Choice, {1}, Choices(efforts), "", "Effort",
-         "Quality/speed trade-off. Fast: collapses only. Balanced: also refines the result. Best: collapses in "
-         "the order of the measured error, on one thread, and refines; several times slower.", efforts},
+         "Quality/speed trade-off. Fast: collapses only. Balanced: also refines the result. Best: collapses "
+         "in the order of the measured error, on one thread, and refines; several times slower.", efforts},
         {"descriptor", {kDescriptor}, Type::Choice, {0}, Choices(computed), "", "Descriptor",
          "Shape descriptor to compute.", computed},
         {"descriptor", {kSelection}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",

@@ -6,7 +6,7 @@
 
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/ordered/collapse.h"
-#include "vcg_ext/ordered/weighted_decimate.h"
+#include "vcg_ext/ordered/decimate.h"
 
 namespace vcg_ext
 {
@@ -26,7 +26,7 @@ inline Simplification SimplifyWeighted(const MeshView& view, const WeightedParam
     stages.collapseEnds = stages.repairBegins;
     return RunPipeline(view, parameters, stages,
                        [&](const MeshView& mesh, KeptForLater, const StageProgress& stage) {
-                           return ToSurface(mesh, DecimateWeighted(mesh, weighted, stage), {}, false, 1);
+                           return ToSurface(mesh, DecimateWeighted(mesh, weighted, stage), {}, 1);
                        });
 }
 

@@ -7,20 +7,43 @@
 >>> report.faces, report.stop_reason_text
 (6966, 'target reached')
 >>> ls.write_mesh(report.mesh_set, "small.ply")
+
+What is used is imported when it is first used: the command has to be ready for Ctrl+C before anything else.
 """
 
-from .filters import classify, descriptor, simplify, smooth, weighted
-from .mesh_reading import read_mesh
-from .mesh_writing import write_mesh
-from .plugin import PYMESHLAB_VERSION, load, plugin_path
-from .report import (
-    STOP_REASONS,
-    ClassificationReport,
-    DecimationReport,
-    DescriptorReport,
-    Report,
-    SmoothingReport,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .files.errors import MeshFileError
+    from .files.reading import MeshFileWarning, read_mesh
+    from .files.writing import write_mesh
+    from .filters import classify, descriptor, simplify, smooth, weighted
+    from .plugin import PYMESHLAB_VERSION, load, plugin_path
+    from .report import (
+        STOP_REASONS,
+        ClassificationReport,
+        DecimationReport,
+        DescriptorReport,
+        Report,
+        SmoothingReport,
+    )
+
+_MODULES = {
+    "files.errors": ("MeshFileError",),
+    "files.reading": ("MeshFileWarning", "read_mesh"),
+    "files.writing": ("write_mesh",),
+    "filters": ("classify", "descriptor", "simplify", "smooth", "weighted"),
+    "plugin": ("PYMESHLAB_VERSION", "load", "plugin_path"),
+    "report": (
+        "STOP_REASONS",
+        "ClassificationReport",
+        "DecimationReport",
+        "DescriptorReport",
+        "Report",
+        "SmoothingReport",
+    ),
+}
 
 __all__ = [
     "PYMESHLAB_VERSION",
@@ -28,6 +51,8 @@ __all__ = [
     "ClassificationReport",
     "DecimationReport",
     "DescriptorReport",
+    "MeshFileError",
+    "MeshFileWarning",
     "Report",
     "SmoothingReport",
     "classify",
@@ -40,3 +65,11 @@ __all__ = [
     "weighted",
     "write_mesh",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    for module, names in _MODULES.items():
+        if name in names:
+            globals()[name] = value = getattr(import_module("." + module, __name__), name)
+            return value
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

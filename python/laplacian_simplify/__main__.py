@@ -4,6 +4,22 @@
 
 import sys
 
-from .command_line import main
+from .signals import die_at_once
 
-sys.exit(main())
+
+def main() -> int:
+    """The command, in a process of its own."""
+    die_at_once()  # before anything that takes time
+    from .command_line import main as command
+    from .streams import flush_or_drop, open_closed_streams, write_names_as_they_are
+
+    open_closed_streams()
+    write_names_as_they_are()
+    try:
+        return command()
+    finally:
+        flush_or_drop()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -8,23 +8,23 @@ written; 2 wrong arguments.
 
 import argparse
 import json
-import sys
-from collections.abc import Mapping
-from contextlib import AbstractContextManager, nullcontext
-from functools import partial
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from importlib.metadata import version
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
-from tqdm import tqdm
-
-from .mesh_reading import read_mesh
-from .mesh_writing import check_format, save_checked, staged_output
+from .file_arguments import Files, files_of
+from .files.errors import printable
+from .files.output_formats import output_format
+from .files.staging import check_target, staged_output
+from .following import in_a_process
 from .options import SHORT_NAMES, WITHOUT_OPTION, Command, make_parser
-from .plugin import load
 from .running import checked
+from .signals import signals_held
+from .streams import say, show, write_out
 from .summary import summary
-from .worker import run_in_worker, signals_held
 
 STOPPED = 130
 """Exit code of a run that a signal ended, as shells have it."""
@@ -32,11 +32,10 @@ STOPPED = 130
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command and returns its exit code."""
-    options = make_parser(version("laplacian-simplify")).parse_args(arguments)
     code = STOPPED
     try:
         with signals_held():
-            code = _main(options)
+            code = _main(make_parser(version("laplacian-simplify")).parse_args(arguments))
     except KeyboardInterrupt:
         pass  # it came when all was done
     return code
@@ -46,14 +45,17 @@ def _main(options: argparse.Namespace) -> int:
     command: Command = options.command
     try:
         values = _values(command, options)
-        report = _run(command, options, values)
-        _show(options, report)
+        files = files_of(options)
+        answer = _run(command, files, values)
+        _show(command, files, answer)
     except ValueError as error:
         return _fail(2, _with_option_name(str(error)))
     except KeyboardInterrupt:
         return _fail(STOPPED, "stopped; nothing was written")
     except (OSError, RuntimeError, ImportError) as error:
         return _fail(1, str(error))
+    except MemoryError:
+        return _fail(1, f"{printable(options.input)} cannot be worked on: there is not enough memory")
     return 0
 
 
@@ -68,50 +70,58 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     return values
 
 
-def _run(command: Command, options: argparse.Namespace, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Reads, filters and writes in a worker process; the files appear when all of it went well."""
-    with (
-        _staged_report(options.json) as staged_report,
-        staged_output(options.output, source=options.input) as staged,
-        tqdm(total=100, disable=None, leave=False, bar_format="{desc:<20}{bar} {n:.0f} %") as bar,
-    ):
-
-        def show(percent: int, stage: str) -> None:
-            if percent < 100:  # then only the filter's name follows
-                bar.set_description_str(stage, refresh=False)
-            bar.update(percent - bar.n)
-
-        job = partial(_work, command, options.input, options.output, staged, values)
-        report: dict[str, Any] = run_in_worker(job, show)
+def _run(command: Command, files: Files, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Reads, filters and writes in a process of its own; the files appear when all of it went well."""
+    if not files.to_standard_output:
+        check_target(files.output)
+    output_format(files.output_name)
+    with ExitStack() as stack:
+        staged_report = stack.enter_context(staged_output(files.json)) if files.json else None
+        staged = stack.enter_context(_staged(files))
+        answer = in_a_process(
+            {
+                "function": command.function.__name__,
+                "source": files.input,
+                "staged": str(staged),
+                "shown_source": files.shown_input,
+                "shown_target": files.shown_output,
+                "values": dict(values),
+            }
+        )
         if staged_report:
-            staged_report.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
-    return report
+            staged_report.write_text(_json(answer["report"]), encoding="utf-8")
+    return answer
 
 
-def _staged_report(path: str | None) -> AbstractContextManager[Path | None]:
-    return nullcontext() if path in (None, "-") else staged_output(str(path))
+@contextmanager
+def _staged(files: Files) -> Iterator[Path]:
+    """Where the mesh is written before it goes to its file or to standard output."""
+    if not files.to_standard_output:
+        with staged_output(files.output, source=files.input) as staged:
+            yield staged
+        return
+    with TemporaryDirectory(prefix="laplacian-simplify-") as folder:
+        staged = Path(folder) / files.output_name
+        yield staged
+        write_out(staged.read_bytes())
 
 
-def _work(command: Command, source: str, target: str, staged: Path, values: Mapping[str, Any]) -> dict[str, Any]:
-    """What the worker process does."""
-    check_format(staged, shown=target)
-    mesh_set = read_mesh(source)
-    load()
-    mesh_set.set_verbosity(True)  # then progress is written, which the command follows
-    report = command.function(mesh_set, **values)
-    mesh_set.set_verbosity(False)
-    save_checked(mesh_set, staged, shown=target)
-    return report.to_dict()
+def _show(command: Command, files: Files, answer: Mapping[str, Any]) -> None:
+    """Notes, the report for people, and as JSON where standard output was asked for."""
+    stores_quality = command.stores_quality and Path(files.output_name).suffix.lower() != ".ply"
+    if stores_quality:
+        say("laplacian-simplify: note: the result is in the vertex quality, which only PLY keeps")
+    for note in answer["notes"]:
+        if not (stores_quality and note.endswith("does not keep vertex quality; PLY keeps all")):
+            say(f"laplacian-simplify: note: {note}")
+    text = summary(files.shown_input, files.shown_output, answer["report"])
+    (say if files.standard_output_is_taken else show)(text)
+    if files.json_to_standard_output:
+        write_out(_json(answer["report"]).encode())
 
 
-def _show(options: argparse.Namespace, report: Mapping[str, Any]) -> None:
-    """The report for people, and as JSON where standard output was asked for."""
-    if options.command.stores_quality and Path(options.output).suffix.lower() != ".ply":
-        print("laplacian-simplify: note: the result is in the vertex quality, which only PLY keeps", file=sys.stderr)
-    text = summary(options.input, options.output, report)
-    print(text, file=sys.stderr if options.json == "-" else sys.stdout)
-    if options.json == "-":
-        print(json.dumps(report, indent=2))
+def _json(report: Mapping[str, Any]) -> str:
+    return json.dumps(report, indent=2) + "\n"
 
 
 def _with_option_name(message: str) -> str:
@@ -123,5 +133,5 @@ def _with_option_name(message: str) -> str:
 
 
 def _fail(code: int, message: str) -> int:
-    print(f"laplacian-simplify: error: {' '.join(message.split())}", file=sys.stderr)
+    say(f"laplacian-simplify: error: {printable(message.strip())}")
     return code

@@ -76,8 +76,12 @@ def make_parser(version: str) -> argparse.ArgumentParser:
 
 
 def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter) -> None:
-    parser.add_argument("input", metavar="INPUT", help="mesh file, in any format that MeshLab reads")
-    parser.add_argument("output", metavar="OUTPUT", help="mesh file, in any format that MeshLab writes")
+    parser.add_argument("input", metavar="INPUT", help="mesh file, also as .gz; - for standard input")
+    parser.add_argument("output", metavar="OUTPUT", nargs="?", help="mesh file; - for standard output")
+    parser.add_argument("--in-place", action="store_true", help="write to INPUT, in place of OUTPUT")
+    parser.add_argument(
+        "--output-format", choices=("ply", "stl"), help="format of a mesh on standard output. Default: ply."
+    )
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
     targets: argparse._ActionsContainer = parser
     if row.has("target_faces"):

@@ -40,6 +40,8 @@ def load() -> None:
     import pymeshlab
 
     from .tables import filters
+    from .turns import turn
 
-    if filters()[0].python_name not in pymeshlab.filter_list():
-        pymeshlab.load_plugin(str(plugin_path()))
+    with turn():
+        if filters()[0].python_name not in pymeshlab.filter_list():
+            pymeshlab.load_plugin(str(plugin_path()))

@@ -3,14 +3,15 @@
 """How a filter of the plugin is run on a mesh set or a file."""
 
 from collections.abc import Mapping
-from os import PathLike
-from pathlib import Path
+from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
-from .mesh_reading import read_mesh
+from .files.errors import printable
+from .files.reading import read_mesh
 from .plugin import load
 from .report import Report
 from .tables import Filter, filter_named
+from .turns import forget_failures, turn
 
 if TYPE_CHECKING:
     import pymeshlab
@@ -22,7 +23,8 @@ R = TypeVar("R", bound=Report)
 def run(filter_name: str, report_type: type[R], mesh: MeshSource, **values: Any) -> R:
     """Runs a filter on the current mesh of a mesh set, or on a file, which is read into a new one.
 
-    A value that is None is left to the filter's default. Everything is checked before the mesh is touched.
+    A value that is None is left to the filter's default. Everything is checked before the mesh is touched. Threads
+    with mesh sets of their own may call it at the same time; they take turns.
 
     Raises:
         ValueError: a value is outside its range; the text names the parameter, the value and the range.
@@ -32,8 +34,13 @@ def run(filter_name: str, report_type: type[R], mesh: MeshSource, **values: Any)
     load()
     row = filter_named(filter_name)
     numbers = checked(row, values)
-    mesh_set = read_mesh(Path(mesh)) if isinstance(mesh, str | PathLike) else mesh
-    return report_type.of(mesh_set, _apply(row, mesh_set, numbers))
+    if not isinstance(mesh, str | PathLike):
+        return report_type.of(mesh, apply(row, mesh, numbers))
+    mesh_set = read_mesh(mesh)
+    try:
+        return report_type.of(mesh_set, apply(row, mesh_set, numbers))
+    except RuntimeError as error:
+        raise RuntimeError(f"{printable(fspath(mesh))} cannot be used: {error}") from None
 
 
 def checked(row: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -49,14 +56,18 @@ def checked(row: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
     return {name: types[rows[name].type](rows[name].number(value)) for name, value in given.items()}
 
 
-def _apply(row: Filter, mesh_set: "pymeshlab.MeshSet", numbers: Mapping[str, Any]) -> dict[str, Any]:
+def apply(row: Filter, mesh_set: "pymeshlab.MeshSet", numbers: Mapping[str, Any]) -> dict[str, Any]:
+    """Runs a filter with checked values; errors as for run."""
     import pymeshlab
 
     if mesh_set.mesh_number() == 0:
         raise RuntimeError("the mesh set is empty")
     try:
-        return dict(mesh_set.apply_filter(row.python_name, **numbers))
+        with turn():
+            return dict(mesh_set.apply_filter(row.python_name, **numbers))
     except pymeshlab.PyMeshLabException as error:
+        with turn():
+            forget_failures()
         sentence = str(error).strip().splitlines()[-1].removeprefix("Details: ")
         names_parameter = row.has(sentence.split(" = ")[0])
         raise (ValueError if names_parameter else RuntimeError)(sentence) from None

@@ -36,14 +36,16 @@ class Parameter:
     options: tuple[Option, ...] = ()
 
     def number(self, value: object) -> float:
-        """The number of a value: of a choice also by the id of the option.
+        """The number of a value: of a choice also by the id of the option. Numbers of NumPy are numbers, too.
 
         Raises:
             ValueError: names the parameter, the value and the range.
         """
+        if getattr(value, "shape", None) == () and hasattr(value, "item"):
+            value = value.item()
         ids = [option.id for option in self.options]
-        if value in ids:
-            return ids.index(str(value))
+        if isinstance(value, str) and value in ids:
+            return ids.index(value)
         if not isinstance(value, bool | int | float) or not self._contains(value):
             relation = "not one of" if self.options else "outside"
             raise ValueError(f"{self.id} = {_shown(value)} is {relation} {self.range_text}")

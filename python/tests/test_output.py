@@ -38,13 +38,13 @@ def test_formats_are_read(extension: str, tmp_path: Path) -> None:
     ("target", "said"),
     [
         ("small.foo", "the format '.foo' is unknown"),
-        ("small", "the format '' is unknown"),
-        ("points.xyz", "the format '.xyz' keeps 0 of 12 faces"),
+        ("small", "its name has no extension"),
+        ("points.xyz", "the format '.xyz' is unknown"),
         ("missing/small.ply", "is not a folder"),
         ("file/small.ply", "is not a folder"),
-        ("folder.ply", "it exists and is not a file"),
+        ("folder.ply", "it is a folder"),
         ("/proc/small.ply", "cannot be written"),
-        ("/dev/full", "it exists and is not a file"),
+        ("/dev/full", "it is a device or a pipe; write to - for standard output"),
     ],
 )
 def test_unwritable_output(target: str, said: str, tmp_path: Path) -> None:

@@ -14,8 +14,6 @@ from pathlib import Path
 import pytest
 from conftest import SAMPLE_MESHES, run_command
 
-from laplacian_simplify.worker import run_in_worker
-
 SCAN = SAMPLE_MESHES / "relief_scan.ply"
 
 
@@ -50,7 +48,7 @@ def test_no_progress_elsewhere(tmp_path: Path) -> None:
     assert "\r" not in done.stdout
 
 
-@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_stopped_run_leaves_nothing(stop: signal.Signals, tmp_path: Path) -> None:
     words = [sys.executable, "-P", "-m", "laplacian_simplify", "simplify", SCAN, tmp_path / "out.ply"]
     words += ["--percent", "1", "--effort", "best", "--threads", "1"]
@@ -69,20 +67,3 @@ def test_a_stopped_run_leaves_nothing(stop: signal.Signals, tmp_path: Path) -> N
     assert process.returncode == 130
     assert said == "laplacian-simplify: error: stopped; nothing was written\n"
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_worker_that_crashes_is_a_message() -> None:
-    with pytest.raises(ChildProcessError, match="SIGKILL"):
-        run_in_worker(lambda: os.kill(os.getpid(), signal.SIGKILL), lambda *_: None)
-
-
-def test_a_worker_passes_progress_and_errors_on() -> None:
-    seen = []
-
-    def job() -> None:
-        os.write(2, b"LOG: 2 Collapsing    [ 40% ]\nnoise\n")
-        raise ValueError("too much")
-
-    with pytest.raises(ValueError, match="too much"):
-        run_in_worker(job, lambda percent, stage: seen.append((percent, stage)))
-    assert seen == [(40, "Collapsing")]

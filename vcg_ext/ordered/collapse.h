@@ -22,10 +22,9 @@ namespace vcg_ext
 {
 
 /// The outcome of a queue-ordered collapse as the stages behind it expect it.
-/// \param guidance l in [0, 1] of every input vertex, for the weights of the samples
 /// \param kept original: both surfaces' lists are built, for the refinement
-inline CollapsedSurface ToSurface(const MeshView& view, StrictDecimation decimation,
-                                  const std::vector<float>& guidance, bool keepOriginal, int threads)
+inline CollapsedSurface ToSurface(const MeshView& view, OrderedDecimation decimation, KeptForLater kept,
+                                  int threads)
 {
     CollapsedSurface surface;
     DecimatedMesh& mesh = decimation.mesh;
@@ -43,33 +42,22 @@ inline CollapsedSurface ToSurface(const MeshView& view, StrictDecimation decimat
         const MeshView collapsed = ViewOf(mesh, view, fixed);
         surface.simplified = BuildSurfaceArrays(collapsed, surface.frame, nullptr, threads);
     }
-    if (keepOriginal) {
+    if (kept.original) {
         std::vector<float> weights(view.vertexCount);
-        for (std::size_t v = 0; v < weights.size(); ++v) weights[v] = std::exp(2 * guidance[v]);
+        for (std::size_t v = 0; v < weights.size(); ++v) weights[v] = std::exp(2 * decimation.descriptor[v]);
         surface.original = BuildSurfaceArrays(view, surface.frame, weights.data(), threads);
     }
     surface.positions = std::move(mesh.positions);
+    if (kept.descriptor && view.guidance == nullptr) surface.descriptor = std::move(decimation.descriptor);
     return surface;
 }
 
 /// The queue-ordered collapse as a stage of RunPipeline.
-inline CollapsedSurface CollapseInOrder(const MeshView& view, DecimationParameters parameters,
+inline CollapsedSurface CollapseInOrder(const MeshView& view, const DecimationParameters& parameters,
                                         KeptForLater kept, const StageProgress& progress)
 {
-    const int threads = ResolveThreads(parameters.threads);
-    std::vector<float> guidance, descriptor;
-    if (view.guidance != nullptr) {
-        guidance.assign(view.guidance, view.guidance + view.vertexCount);
-    } else {
-        const std::vector<double> values = LaplacianDescriptor(view, threads);
-        const std::vector<double> l = RescaledToUnit(values);
-        guidance.assign(l.begin(), l.end());
-        if (kept.descriptor) descriptor.assign(values.begin(), values.end());
-    }
-    CollapsedSurface surface =
-        ToSurface(view, DecimateStrict(view, parameters, progress), guidance, kept.original, threads);
-    surface.descriptor = std::move(descriptor);
-    return surface;
+    return ToSurface(view, DecimateOrdered(view, parameters, progress), kept,
+                     ResolveThreads(parameters.threads));
 }
 
 } // namespace vcg_ext

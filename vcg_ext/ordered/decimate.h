@@ -3,82 +3,129 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/descriptor/laplacian.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
-#include "vcg_ext/descriptors.h"
 #include "vcg_ext/ordered/guided.h"
 #include "vcg_ext/ordered/measured.h"
 #include "vcg_ext/ordered/mesh.h"
+#include "vcg_ext/ordered/queue.h"
+#include "vcg_ext/ordered/weighted.h"
+
+// Decimations that take one collapse at a time, the cheapest first, from the queue of vcg::LocalOptimization,
+// on the calling thread. The results never have a non-manifold edge or vertex, a duplicate or a degenerate
+// face that the input did not have, and no collapse turns a face by more than 78 degrees. A vertex that never
+// moved is returned with the input's coordinates. Vertices without faces are left out.
+//
+// Several threads may decimate at the same time, each its own view; queue.h says why VCG allows that.
 
 namespace vcg_ext
 {
 
-namespace strict_detail
-{
+/// The decimation of Zhang et al., "Laplacian-Based Feature Preserving Mesh Simplification" (2012).
+struct WeightedParameters : WeightedCollapseParameters {
+    std::size_t targetFaces = 0; ///< at least 1
+};
 
-/// The descriptor in [0, 1] that guides: the view's, or the Laplacian one.
-inline void SetDescriptor(const MeshView& view, GuidedParameters& parameters)
+namespace ordered_detail
 {
-    if (view.guidance != nullptr) {
-        parameters.descriptor.assign(view.guidance, view.guidance + view.vertexCount);
-        return;
-    }
-    const std::vector<double> values = LaplacianDescriptor(view);
-    parameters.descriptor = RescaledToUnit(values);
-    // The scale, found where nothing was cut off at 1.
-    const double low = *std::min_element(values.begin(), values.end());
-    for (std::size_t v = 0; v < values.size(); ++v)
-        if (values[v] > low)
-            parameters.descriptorScale =
-                std::max(parameters.descriptorScale, parameters.descriptor[v] / (values[v] - low));
-}
 
 template <class Method>
-StrictDecimation Run(const MeshView& view, StrictMesh& mesh, const std::vector<std::uint32_t>& faceOrigin,
-                     GuidedParameters guided, const DecimationParameters& parameters,
-                     const StageProgress& progress)
+OrderedDecimation Decimated(CollapsibleMesh& mesh, Method method, std::size_t targetFaces,
+                            const StageProgress& progress)
 {
-    Method method(mesh, std::move(guided));
-    CollapseRun<StrictMesh, Method> run(mesh, method);
-    const StopReason reason = run.Decimate(parameters.targetFaces, progress);
-    StrictDecimation result = Collect(view, mesh, faceOrigin, method);
-    result.mesh.stopReason = reason;
-    return result;
+    CollapseRun<OrderedMesh, Method> run(mesh.mesh(), method);
+    const StopReason reason = run.Decimate(targetFaces, progress);
+    return mesh.Result(method, reason);
 }
 
-} // namespace strict_detail
-
-/// Decimates by the guided collapse in strict order of its cost, or of measured error where the effort is
-/// Best, run by vcg::LocalOptimization on one thread.
-///
-/// The result never has a non-manifold edge or vertex, a duplicate or a degenerate face that the input did
-/// not have, and no collapse turns a face by more than 78 degrees. A vertex that never moved is returned with
-/// the input's coordinates. Vertices without faces are left out.
-/// \throws Cancelled \pre finite coordinates, indices below vertexCount, parameters in their ranges
-inline StrictDecimation DecimateStrict(const MeshView& view, const DecimationParameters& parameters,
-                                       const StageProgress& progress = {})
+/// The view's guidance; without it, the descriptor of polygons, which their triangles do not tell.
+inline Guidance GuidanceOf(const MeshView& view, double featureWeight)
 {
-    StrictMesh mesh;
-    std::vector<std::uint32_t> faceOrigin;
-    strict_detail::FillMesh(view, mesh, faceOrigin);
+    Guidance guidance;
+    guidance.featureWeight = featureWeight;
+    if (view.guidance != nullptr)
+        guidance.given.assign(view.guidance, view.guidance + view.vertexCount);
+    else if (view.fauxEdges != nullptr)
+        guidance.descriptor = LaplacianDescriptor(view);
+    return guidance;
+}
+
+/// \throws std::invalid_argument where \p values are neither absent nor one a vertex
+template <class Value>
+void CheckLength(const std::vector<Value>& values, const MeshView& view, const char* name)
+{
+    if (!values.empty() && values.size() != view.vertexCount)
+        throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
+                                    " values for " + std::to_string(view.vertexCount) + " vertices");
+}
+
+} // namespace ordered_detail
+
+/// Decimates by the guided collapse in the order of its cost, or of measured error where the effort is Best.
+/// \pre finite coordinates, indices below vertexCount, parameters in their ranges
+inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationParameters& parameters,
+                                         const StageProgress& progress = {})
+{
+    CollapsibleMesh mesh(view);
     GuidedParameters guided;
-    guided.featureWeight = parameters.featureWeight;
+    guided.guidance = ordered_detail::GuidanceOf(view, parameters.featureWeight);
     guided.boundary = parameters.boundary;
     guided.preserveTopology = parameters.preserveTopology;
-    guided.fixedVertices = strict_detail::FixedVertices(view, mesh, parameters.boundary);
-    if (view.vertexCount > 0) strict_detail::SetDescriptor(view, guided);
+    guided.fixedVertices = mesh.FixedVertices(parameters.boundary);
+    const auto decimated = [&](auto method) {
+        std::vector<float> descriptor(method.Descriptors().begin(), method.Descriptors().end());
+        OrderedDecimation result =
+            ordered_detail::Decimated(mesh, std::move(method), parameters.targetFaces, progress);
+        result.descriptor = std::move(descriptor);
+        return result;
+    };
+    if (parameters.effort == Effort::Best)
+        return decimated(MeasuredCollapse<OrderedMesh>(mesh.mesh(), std::move(guided)));
+    return decimated(GuidedCollapse<OrderedMesh>(mesh.mesh(), std::move(guided)));
+}
 
-    return parameters.effort == Effort::Best
-               ? strict_detail::Run<MeasuredCollapse<StrictMesh>>(view, mesh, faceOrigin, std::move(guided),
-                                                                  parameters, progress)
-               : strict_detail::Run<GuidedCollapse<StrictMesh>>(view, mesh, faceOrigin, std::move(guided),
-                                                                parameters, progress);
+/// Weight of every vertex's quadric after Li and He (2010), |k1| + |k2|, from mean and Gaussian curvature:
+/// k = H ± sqrt(H² - K).
+/// \param mean H or |H|, one a vertex \param gaussian K, one a vertex
+inline std::vector<double> AbsoluteCurvature(const std::vector<double>& mean,
+                                             const std::vector<double>& gaussian)
+{
+    std::vector<double> sum(mean.size());
+    for (std::size_t v = 0; v < mean.size(); ++v) {
+        const double h = std::abs(mean[v]);
+        const double root = std::sqrt(std::max(h * h - gaussian[v], 0.0));
+        sum[v] = h + root + std::abs(h - root);
+    }
+    return sum;
+}
+
+/// Decimates in the order of f = g e^{lambda l}. MeshView::fixedVertices stay, its guidance is not read.
+/// \pre finite coordinates
+/// \throws std::invalid_argument where a vector of the parameters does not fit the view, or lambda is not a
+///         number of 0 or more
+inline OrderedDecimation DecimateWeighted(const MeshView& view, WeightedParameters parameters,
+                                          const StageProgress& progress = {})
+{
+    ordered_detail::CheckLength(parameters.descriptor, view, "descriptor");
+    ordered_detail::CheckLength(parameters.quadricWeights, view, "quadric weights");
+    ordered_detail::CheckLength(parameters.featureClass, view, "feature classes");
+    if (!(parameters.featureWeight >= 0))
+        throw std::invalid_argument("feature_weight = " + std::to_string(parameters.featureWeight) +
+                                    " is less than 0");
+    CollapsibleMesh mesh(view);
+    if (parameters.fixedVertices.empty()) parameters.fixedVertices = mesh.FixedVertices(Boundary::Preserve);
+    return ordered_detail::Decimated(mesh, WeightedCollapse<OrderedMesh>(mesh.mesh(), parameters),
+                                     parameters.targetFaces, progress);
 }
 
 } // namespace vcg_ext

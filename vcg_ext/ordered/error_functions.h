@@ -3,11 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
-#include "vcg_ext/ordered/quadric.h"
-#include "vcg_ext/ordered/star_face.h"
+#include "vcg_ext/core/collapse/cost.h"
+#include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
 {
@@ -17,24 +18,23 @@ enum class ErrorFunction { Quadric = 0, ShortestEdge = 1, Melax = 2 };
 
 /// A face of the vertex that a half-edge collapse removes.
 struct RemovedFace {
-    vcg::Point3d unitNormal; ///< zero where the face has no area
-    bool isOnEdge;           ///< it goes with the edge
+    Vector3d unitNormal; ///< zero where the face has no area
+    bool isOnEdge;       ///< it goes with the edge
 };
 
-/// What an error function sees of an edge; points count from the removed vertex, in a frame in which the box
-/// of the mesh has a diagonal of 1.
+/// What an error function sees of an edge; points count from the removed vertex, in the engine's frame.
 struct CollapseSurroundings {
-    vcg::Point3d kept;                     ///< the other end
+    Vector3d kept;                         ///< the other end
     std::vector<RemovedFace> removedFaces; ///< every face of the removed vertex
     std::vector<StarFace> stayingFaces;    ///< of the removed vertex; of the kept one too where it moves
-    Quadric quadric;                       ///< of both ends, accumulated
+    CentredQuadric<double> quadric{};      ///< of both ends, accumulated
     bool keptStays = true;                 ///< the kept end may not move
 };
 
 /// The price of a collapse and where the survivor goes.
 struct CollapseError {
     double value;
-    vcg::Point3d placement;
+    Vector3d placement;
 };
 
 using ErrorFunctionBody = std::optional<CollapseError> (*)(const CollapseSurroundings&);
@@ -50,43 +50,45 @@ constexpr double kErrorTieBreak = 1e-12;
 /// leaves open, and the border's weight scales with the mesh.
 inline std::optional<CollapseError> QuadricError(const CollapseSurroundings& edge)
 {
-    constexpr double kTikhonov = 1e-6;
-    constexpr double kQualityClamp = .3;
-    const Quadric& quadric = edge.quadric;
-    vcg::Point3d x = edge.kept;
+    constexpr double kWorstQuality = 1e-9, kQualityClamp = .3;
+    const CentredQuadric<double>& quadric = edge.quadric;
+    Vector3d x = edge.kept;
     if (!edge.keptStays) {
-        x = edge.kept / 2;
-        const double regularisation = kTikhonov * quadric.a.Trace() / 3;
-        if (regularisation > 0)
-            x += SolveRegularised(quadric.a, regularisation, -(quadric.a * x + quadric.b));
+        const Vector3d middle = .5 * edge.kept;
+        const Vector3d slope = -1.0 * (quadric.matrix * middle + quadric.linear);
+        const Vector3d pulled = SolveRegularized(quadric.matrix, slope, MidpointPull(quadric.matrix));
+        // One step of refinement: where the quadric decides, nothing is left of the pull but its square.
+        x = middle + pulled +
+            SolveRegularized(quadric.matrix, slope - quadric.matrix * pulled, MidpointPull(quadric.matrix));
     }
-    const auto quality = WorstQuality(edge.stayingFaces, x, kQualityClamp);
-    if (!quality) return std::nullopt;
-    const double tieBreak = kErrorTieBreak * edge.kept.SquaredNorm() * quadric.a.Trace();
-    return CollapseError{(std::max(quadric(x), 0.0) + tieBreak) / *quality, x};
+    const std::optional<double> worst2 = WorstQuality2(edge.stayingFaces, x);
+    if (!worst2) return std::nullopt;
+    const double quality = std::clamp(std::sqrt(*worst2), kWorstQuality, kQualityClamp);
+    const double tieBreak = kErrorTieBreak * Dot(edge.kept, edge.kept) * quadric.matrix.Trace();
+    return CollapseError{(std::max(quadric(x), 0.0) + tieBreak) / quality, x};
 }
 
 /// Eq. 7: the length of the edge. The cheapest edge of a vertex is its shortest, so the queue finds
 /// g(v) = min |e_vj| by itself.
 inline std::optional<CollapseError> ShortestEdgeError(const CollapseSurroundings& edge)
 {
-    if (!WorstQuality(edge.stayingFaces, edge.kept, 1)) return std::nullopt;
-    return CollapseError{edge.kept.Norm(), edge.kept};
+    if (!WorstQuality2(edge.stayingFaces, edge.kept)) return std::nullopt;
+    return CollapseError{std::sqrt(Dot(edge.kept, edge.kept)), edge.kept};
 }
 
 /// Melax (1998): the length of the edge, times the largest over the removed vertex's faces of the smallest
 /// (1 - n·n') / 2 to the faces at the edge.
 inline std::optional<CollapseError> MelaxError(const CollapseSurroundings& edge)
 {
-    if (!WorstQuality(edge.stayingFaces, edge.kept, 1)) return std::nullopt;
+    if (!WorstQuality2(edge.stayingFaces, edge.kept)) return std::nullopt;
     double curvature = 0;
     for (const RemovedFace& face : edge.removedFaces) {
         double smallest = 1;
         for (const RemovedFace& side : edge.removedFaces)
-            if (side.isOnEdge) smallest = std::min(smallest, (1 - face.unitNormal.dot(side.unitNormal)) / 2);
+            if (side.isOnEdge) smallest = std::min(smallest, (1 - Dot(face.unitNormal, side.unitNormal)) / 2);
         curvature = std::max(curvature, smallest);
     }
-    return CollapseError{edge.kept.Norm() * (curvature + kErrorTieBreak), edge.kept};
+    return CollapseError{std::sqrt(Dot(edge.kept, edge.kept)) * (curvature + kErrorTieBreak), edge.kept};
 }
 
 /// One error function of the filter.

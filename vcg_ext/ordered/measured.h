@@ -22,7 +22,7 @@ namespace vcg_ext
 /// guided collapse with its cost g; the order is that of
 ///
 ///     E    = sum of area e^{2 l} distance² over the samples around the edge, after minus before
-///     cost = max(60 E sqrt(w_u w_v), .1 g)
+///     cost = max(1.8 E sqrt(w_u w_v), .1 g)
 ///
 /// where E is measured for an edge whose .1 g has come up.
 template <class Mesh>
@@ -31,11 +31,10 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
     using Base = GuidedCollapse<Mesh>;
     using typename Base::CoordType;
     using typename Base::FaceType;
-    using typename Base::Point;
     using typename Base::VertexType;
     using Corner = vcg::face::VFIterator<FaceType>;
 
-    static constexpr double kMeasuredWeight = 60;
+    static constexpr double kMeasuredWeight = 1.8;
     /// Part of the guided cost that counts where the measurement sees less.
     static constexpr double kGuidedFloor = .1;
     static constexpr double kImportance = 2;
@@ -44,12 +43,12 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
     std::vector<std::uint32_t> edgeFaces_;        ///< scratch: all faces around the edge
     const VertexType* measuredRemoved_ = nullptr; ///< the pair that samples_ was gathered for last
     const VertexType* measuredKept_ = nullptr;
-    Point measuredPlacement_{0, 0, 0};
+    Vector3d measuredPlacement_{};
 
     /// e^{2 l}: what a sample counts beside its area.
     double Importance(const VertexType& vertex) const
     {
-        return std::exp(kImportance * this->stars_.vertex(this->IndexOf(vertex)).descriptor);
+        return std::exp(kImportance * this->stars_.descriptor(this->IndexOf(vertex)));
     }
 
     void AddFaces(VertexType& vertex, const VertexType* notWith)
@@ -60,8 +59,8 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
     }
 
     /// What the error of the samples around the edge becomes minus what it is. \pre starFaces_ are those of
-    /// the edge, seen from \p origin
-    double Measure(VertexType& removed, VertexType& kept, const Point& origin, const Point& placement)
+    /// the edge
+    double Measure(VertexType& removed, VertexType& kept, const Vector3d& placement)
     {
         edgeFaces_.clear();
         AddFaces(removed, nullptr);
@@ -70,7 +69,15 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
         measuredRemoved_ = &removed;
         measuredKept_ = &kept;
         measuredPlacement_ = placement;
-        return samples_.ChangeOfError(this->starFaces_, placement - origin);
+        return samples_.ChangeOfError(this->starFaces_, placement);
+    }
+
+    /// Whether Measure was asked last about this edge, whichever of its ends goes, and this place.
+    bool IsMeasured(const VertexType& removed, const VertexType& kept, const Vector3d& placement) const
+    {
+        const Vector3d apart = measuredPlacement_ - placement;
+        return std::minmax(measuredRemoved_, measuredKept_) == std::minmax(&removed, &kept) &&
+               !(Dot(apart, apart) > 0);
     }
 
   public:
@@ -81,9 +88,7 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
         for (std::size_t f = 0; f < mesh.face.size(); ++f) {
             const FaceType& face = mesh.face[f];
             if (face.IsD()) continue;
-            const auto corner = [&](int k) {
-                return this->stars_.vertex(this->IndexOf(*face.cV(k))).position;
-            };
+            const auto corner = [&](int k) { return this->EndOf(*face.cV(k)).position; };
             const double importance =
                 (Importance(*face.cV(0)) + Importance(*face.cV(1)) + Importance(*face.cV(2))) / 3;
             samples_.AddCentroid(static_cast<std::uint32_t>(f), corner(0), corner(1), corner(2), importance);
@@ -95,8 +100,7 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
                 area += this->stars_.DoubleArea(*corner.F()) / 6;
             if (vertex.VFp() != nullptr)
                 samples_.AddVertex(static_cast<std::uint32_t>(vcg::tri::Index(mesh, vertex.VFp())),
-                                   this->stars_.vertex(this->IndexOf(vertex)).position,
-                                   area * Importance(vertex));
+                                   this->EndOf(vertex).position, area * Importance(vertex));
         }
     }
 
@@ -113,21 +117,17 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
         assessment->cost *= kGuidedFloor;
         assessment->isFinal = assessment->cost <= affordable;
         if (!assessment->isFinal) return assessment;
-        const GuidedVertex& from = this->stars_.vertex(this->IndexOf(removed));
-        const GuidedVertex& into = this->stars_.vertex(this->IndexOf(kept));
-        const double change =
-            Measure(removed, kept, (from.position + into.position) / 2, assessment->placement);
-        assessment->cost =
-            std::max(assessment->cost, kMeasuredWeight * change * std::sqrt(from.weight * into.weight));
+        const double change = Measure(removed, kept, assessment->placement);
+        const double weight = std::sqrt(this->EndOf(removed).weight * this->EndOf(kept).weight);
+        assessment->cost = std::max(assessment->cost, kMeasuredWeight * change * weight);
         return assessment;
     }
 
-    CoordType Merge(VertexType& removed, VertexType& kept, const Point& placement)
+    CoordType Merge(VertexType& removed, VertexType& kept, const Vector3d& placement)
     {
-        if (measuredRemoved_ != &removed || measuredKept_ != &kept || measuredPlacement_ != placement) {
-            const Point origin = this->stars_.vertex(this->IndexOf(removed)).position;
-            this->stars_.Gather(removed, kept, origin, this->starFaces_);
-            Measure(removed, kept, origin, placement);
+        if (!IsMeasured(removed, kept, placement)) {
+            this->stars_.Gather(removed, kept, this->starFaces_);
+            Measure(removed, kept, placement);
         }
         measuredRemoved_ = nullptr;
         samples_.Attach(edgeFaces_, this->starFaces_);

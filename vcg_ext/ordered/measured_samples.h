@@ -3,29 +3,29 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/ordered/star_face.h"
+#include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
 {
 
 /// Points of the original surface, each attached to the nearest of the faces that were around it when it was
-/// last looked at. Positions are in the frame of CollapseFrame; weights are areas in it times an importance.
+/// last looked at. Positions are in the engine's frame; weights are areas in it times an importance.
+/// Distances are taken in single precision, from the point where the faces meet.
 class MeasuredSamples
 {
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     static constexpr double kVertexShare = .4; ///< of the surface's area; centroids have the rest
-    /// Distances are taken in single precision, from the point where the faces meet, in these units.
-    static constexpr double kScale = 1024;
 
     struct Sample {
-        vcg::Point3d position;
+        Vector3d position;
         float weight;
-        float distance2; ///< in units of kScale
+        float distance2;
         std::uint32_t next;
     };
 
@@ -42,27 +42,26 @@ class MeasuredSamples
     std::vector<Group> groups_;
     std::vector<PreparedTriangle<float>> triangles_;
 
-    void Add(std::uint32_t face, const vcg::Point3d& position, double weight)
+    void Add(std::uint32_t face, const Vector3d& position, double weight)
     {
         samples_.push_back({position, static_cast<float>(weight), 0, first_[face]});
         first_[face] = static_cast<std::uint32_t>(samples_.size() - 1);
     }
 
-    static void SetLane(Group& group, std::size_t lane, const vcg::Point3d& offset, const Sample& sample)
+    static void SetLane(Group& group, std::size_t lane, const Vector3d& offset, const Sample& sample)
     {
-        group.points.x[lane] = static_cast<float>(offset[0] * kScale);
-        group.points.y[lane] = static_cast<float>(offset[1] * kScale);
-        group.points.z[lane] = static_cast<float>(offset[2] * kScale);
+        group.points.x[lane] = static_cast<float>(offset.x);
+        group.points.y[lane] = static_cast<float>(offset.y);
+        group.points.z[lane] = static_cast<float>(offset.z);
         group.weight[lane] = sample.weight;
         group.distance2[lane] = sample.distance2;
     }
 
-    void PrepareTriangles(const std::vector<StarFace>& faces, const vcg::Point3d& x)
+    void PrepareTriangles(const std::vector<StarFace>& faces, const Vector3d& x)
     {
         triangles_.clear();
-        const auto single = [](const vcg::Point3d& p) {
-            return Vector3<float>{static_cast<float>(p[0] * kScale), static_cast<float>(p[1] * kScale),
-                                  static_cast<float>(p[2] * kScale)};
+        const auto single = [](const Vector3d& p) {
+            return Vector3<float>{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
         };
         for (const StarFace& face : faces)
             triangles_.push_back(PrepareTriangle(single(face.next - x), single(face.previous - x)));
@@ -86,21 +85,22 @@ class MeasuredSamples
     explicit MeasuredSamples(std::size_t faces) : first_(faces, kNone) {}
 
     /// The centroid of a face with corners \p a, \p b, \p c; its area counts \p importance times.
-    void AddCentroid(std::uint32_t face, const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Point3d& c,
+    void AddCentroid(std::uint32_t face, const Vector3d& a, const Vector3d& b, const Vector3d& c,
                      double importance)
     {
-        const double area = ((b - a) ^ (c - a)).Norm() / 2;
-        Add(face, (a + b + c) / 3, (1 - kVertexShare) * area * importance);
+        const Vector3d normal = Cross(b - a, c - a);
+        const double area = std::sqrt(Dot(normal, normal)) / 2;
+        Add(face, 1.0 / 3 * (a + b + c), (1 - kVertexShare) * area * importance);
     }
 
     /// A vertex of \p face, for which \p area of the surface counts.
-    void AddVertex(std::uint32_t face, const vcg::Point3d& position, double area)
+    void AddVertex(std::uint32_t face, const Vector3d& position, double area)
     {
         Add(face, position, kVertexShare * area);
     }
 
     /// Takes the samples of \p faces for the following calls, seen from \p origin.
-    void Gather(const std::vector<std::uint32_t>& faces, const vcg::Point3d& origin)
+    void Gather(const std::vector<std::uint32_t>& faces, const Vector3d& origin)
     {
         gathered_.clear();
         for (const std::uint32_t face : faces)
@@ -117,10 +117,9 @@ class MeasuredSamples
         }
     }
 
-    /// Sum of weight distance² of the gathered samples to \p faces minus that to the faces they are on, in
-    /// the frame. \param x where the faces' common corner goes, seen from the point that they are seen from
-    /// \pre Gather was called with the same corner as origin
-    double ChangeOfError(const std::vector<StarFace>& faces, const vcg::Point3d& x)
+    /// Sum of weight distance² of the gathered samples to \p faces minus that to the faces they are on.
+    /// \param x where the faces' common corner goes \pre Gather was called with it as origin
+    double ChangeOfError(const std::vector<StarFace>& faces, const Vector3d& x)
     {
         if (faces.empty()) return 0;
         PrepareTriangles(faces, x);
@@ -129,7 +128,7 @@ class MeasuredSamples
             FindNearest(group);
             change += static_cast<double>(SumLanes(group.weight * (group.newDistance2 - group.distance2)));
         }
-        return change / (kScale * kScale);
+        return change;
     }
 
     /// Puts the gathered samples, which were on \p before, where ChangeOfError found them nearest.

@@ -12,107 +12,162 @@
 #include <vcg/complex/complex.h>
 #include <vcg/complex/algorithms/update/topology.h>
 
-#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
 {
 
-class StrictVertex;
-class StrictFace;
-struct StrictTypes : vcg::UsedTypes<vcg::Use<StrictVertex>::AsVertexType, vcg::Use<StrictFace>::AsFaceType> {
+namespace ordered_detail
+{
+
+class MeshVertex;
+class MeshFace;
+struct MeshTypes : vcg::UsedTypes<vcg::Use<MeshVertex>::AsVertexType, vcg::Use<MeshFace>::AsFaceType> {
 };
-class StrictVertex : public vcg::Vertex<StrictTypes, vcg::vertex::Coord3d, vcg::vertex::VFAdj,
-                                        vcg::vertex::Mark, vcg::vertex::BitFlags>
+class MeshVertex : public vcg::Vertex<MeshTypes, vcg::vertex::Coord3d, vcg::vertex::VFAdj, vcg::vertex::Mark,
+                                      vcg::vertex::BitFlags>
 {
 };
-class StrictFace : public vcg::Face<StrictTypes, vcg::face::VertexRef, vcg::face::VFAdj, vcg::face::BitFlags>
-{
-};
-/// The mesh that DecimateStrict works on: double precision and nothing but what collapses need.
-class StrictMesh : public vcg::tri::TriMesh<std::vector<StrictVertex>, std::vector<StrictFace>>
+class MeshFace : public vcg::Face<MeshTypes, vcg::face::VertexRef, vcg::face::VFAdj, vcg::face::BitFlags>
 {
 };
 
-/// The outcome of DecimateStrict.
-struct StrictDecimation {
+} // namespace ordered_detail
+
+/// The mesh that the queue-ordered collapses work on: double precision and nothing but what they need.
+class OrderedMesh
+    : public vcg::tri::TriMesh<std::vector<ordered_detail::MeshVertex>, std::vector<ordered_detail::MeshFace>>
+{
+};
+
+/// The outcome of DecimateOrdered and DecimateWeighted.
+struct OrderedDecimation {
     DecimatedMesh mesh;
     /// For every input vertex the vertex of the result that it became part of; kNoVertex where it has no
     /// face.
     std::vector<std::uint32_t> root;
+    std::vector<float> descriptor; ///< l of every input vertex before the first collapse, in [0, 1]
     static constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 };
 
-namespace strict_detail
+/// The frame of the engine around a VCG mesh: its points there, and back.
+class MeshFrame
 {
+    Frame frame_;
 
-/// The input with all its vertices; faces that name a vertex twice are left out.
-/// \param faceOrigin becomes the input face of every face of the mesh
-inline void FillMesh(const MeshView& view, StrictMesh& mesh, std::vector<std::uint32_t>& faceOrigin)
+  public:
+    template <class Mesh>
+    explicit MeshFrame(const Mesh& mesh) : frame_(FrameOf(MeshArrays<Mesh>(mesh).View()))
+    {
+    }
+
+    template <class CoordType>
+    Vector3d Into(const CoordType& p) const
+    {
+        const auto along = [&](int k) {
+            const auto axis = static_cast<std::size_t>(k);
+            return (static_cast<double>(p[k]) - frame_.center[axis]) * frame_.scale;
+        };
+        return {along(0), along(1), along(2)};
+    }
+    std::array<double, 3> OutOf(const Vector3d& p) const
+    {
+        return {p.x * frame_.unit + frame_.center[0], p.y * frame_.unit + frame_.center[1],
+                p.z * frame_.unit + frame_.center[2]};
+    }
+};
+
+/// \p p as a point of VCG.
+template <class CoordType>
+CoordType PointOf(const std::array<double, 3>& p)
 {
-    auto vertex = vcg::tri::Allocator<StrictMesh>::AddVertices(mesh, view.vertexCount);
-    for (std::size_t v = 0; v < view.vertexCount; ++v, ++vertex) {
-        const auto p = view.Position(v);
-        vertex->P() = vcg::Point3d(p[0], p[1], p[2]);
-    }
-    for (std::size_t f = 0; f < view.faceCount; ++f) {
-        const std::uint32_t* v = view.triangles + 3 * f;
-        if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0]) faceOrigin.push_back(static_cast<std::uint32_t>(f));
-    }
-    auto face = vcg::tri::Allocator<StrictMesh>::AddFaces(mesh, faceOrigin.size());
-    for (const std::uint32_t f : faceOrigin) {
-        for (int k = 0; k < 3; ++k)
-            face->V(k) = &mesh.vert[view.triangles[3 * f + static_cast<std::size_t>(k)]];
-        ++face;
-    }
-    vcg::tri::UpdateTopology<StrictMesh>::VertexFace(mesh);
+    using Scalar = typename CoordType::ScalarType;
+    return CoordType(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]));
 }
 
-/// Vertices that must not move: those of the view and, where the border is locked, all on it.
-inline std::vector<std::uint8_t> FixedVertices(const MeshView& view, StrictMesh& mesh, Boundary boundary)
+/// A view as a mesh that can be collapsed, and the way back. \pre the view outlives it
+class CollapsibleMesh
 {
-    std::vector<std::uint8_t> fixed;
-    if (view.fixedVertices != nullptr)
-        fixed.assign(view.fixedVertices, view.fixedVertices + view.vertexCount);
-    if (boundary != Boundary::Lock) return fixed;
-    fixed.resize(view.vertexCount, 0);
-    RingEdges<StrictMesh> ring(mesh);
-    for (std::size_t v = 0; v < view.vertexCount; ++v)
-        if (TouchesBorder<StrictMesh>(ring.Collect(mesh.vert[v]))) fixed[v] = 1;
-    return fixed;
-}
+    const MeshView& view_;
+    OrderedMesh mesh_;
+    std::vector<std::uint32_t> faceOrigin_; ///< the view's face of every face
 
-/// What is left, in input order.
-template <class Method>
-StrictDecimation Collect(const MeshView& view, const StrictMesh& mesh,
-                         const std::vector<std::uint32_t>& faceOrigin, Method& method)
-{
-    StrictDecimation result;
-    std::vector<std::uint32_t> place(view.vertexCount, StrictDecimation::kNoVertex);
-    for (const StrictFace& face : mesh.face)
-        for (int k = 0; k < 3 && !face.IsD(); ++k) place[vcg::tri::Index(mesh, face.cV(k))] = 0;
-    for (std::size_t v = 0; v < view.vertexCount; ++v) {
-        if (place[v] == StrictDecimation::kNoVertex) continue;
-        place[v] = static_cast<std::uint32_t>(result.mesh.positions.size());
-        const vcg::Point3d p = method.Position(v);
-        result.mesh.positions.push_back(method.HasMoved(v) ? std::array<double, 3>{p[0], p[1], p[2]}
-                                                           : view.Position(v));
-        result.mesh.vertexOrigin.push_back(static_cast<std::uint32_t>(v));
+  public:
+    /// All vertices of \p view; its faces that name a vertex twice are left out.
+    explicit CollapsibleMesh(const MeshView& view) : view_(view)
+    {
+        auto vertex = vcg::tri::Allocator<OrderedMesh>::AddVertices(mesh_, view.vertexCount);
+        for (std::size_t v = 0; v < view.vertexCount; ++v, ++vertex)
+            vertex->P() = PointOf<vcg::Point3d>(view.Position(v));
+        for (std::size_t f = 0; f < view.faceCount; ++f) {
+            const std::uint32_t* v = view.triangles + 3 * f;
+            if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0])
+                faceOrigin_.push_back(static_cast<std::uint32_t>(f));
+        }
+        auto face = vcg::tri::Allocator<OrderedMesh>::AddFaces(mesh_, faceOrigin_.size());
+        for (const std::uint32_t f : faceOrigin_) {
+            for (int k = 0; k < 3; ++k)
+                face->V(k) = &mesh_.vert[view.triangles[3 * f + static_cast<std::size_t>(k)]];
+            ++face;
+        }
+        vcg::tri::UpdateTopology<OrderedMesh>::VertexFace(mesh_);
     }
-    for (std::size_t f = 0; f < mesh.face.size(); ++f) {
-        const StrictFace& face = mesh.face[f];
-        if (face.IsD()) continue;
-        const auto corner = [&](int k) { return place[vcg::tri::Index(mesh, face.cV(k))]; };
-        result.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
-        result.mesh.faceOrigin.push_back(faceOrigin[f]);
-    }
-    result.root.resize(view.vertexCount);
-    for (std::size_t v = 0; v < view.vertexCount; ++v) result.root[v] = place[method.Root(v)];
-    return result;
-}
 
-} // namespace strict_detail
+    OrderedMesh& mesh() { return mesh_; }
+
+    /// Vertices that must not move: those of the view and, where the border is locked, all on it.
+    std::vector<std::uint8_t> FixedVertices(Boundary boundary)
+    {
+        std::vector<std::uint8_t> fixed;
+        if (view_.fixedVertices != nullptr)
+            fixed.assign(view_.fixedVertices, view_.fixedVertices + view_.vertexCount);
+        if (boundary != Boundary::Lock) return fixed;
+        fixed.resize(view_.vertexCount, 0);
+        RingEdges<OrderedMesh> ring(mesh_);
+        for (std::size_t v = 0; v < view_.vertexCount; ++v)
+            if (TouchesBorder(ring.Collect(mesh_.vert[v]))) fixed[v] = 1;
+        return fixed;
+    }
+
+    /// What \p method has left, in input order.
+    template <class Method>
+    OrderedDecimation Result(Method& method, StopReason reason) const
+    {
+        OrderedDecimation result;
+        result.mesh.stopReason = reason;
+        const std::vector<std::uint32_t> place = CollectVertices(method, result.mesh);
+        for (std::size_t f = 0; f < mesh_.face.size(); ++f) {
+            if (mesh_.face[f].IsD()) continue;
+            const auto corner = [&](int k) { return place[vcg::tri::Index(mesh_, mesh_.face[f].cV(k))]; };
+            result.mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+            result.mesh.faceOrigin.push_back(faceOrigin_[f]);
+        }
+        result.root.resize(view_.vertexCount);
+        for (std::size_t v = 0; v < view_.vertexCount; ++v) result.root[v] = place[method.Root(v)];
+        return result;
+    }
+
+  private:
+    /// \return where every vertex is in \p result
+    template <class Method>
+    std::vector<std::uint32_t> CollectVertices(const Method& method, DecimatedMesh& result) const
+    {
+        std::vector<std::uint32_t> place(view_.vertexCount, OrderedDecimation::kNoVertex);
+        for (const auto& face : mesh_.face)
+            for (int k = 0; k < 3 && !face.IsD(); ++k) place[vcg::tri::Index(mesh_, face.cV(k))] = 0;
+        for (std::size_t v = 0; v < view_.vertexCount; ++v) {
+            if (place[v] == OrderedDecimation::kNoVertex) continue;
+            place[v] = static_cast<std::uint32_t>(result.positions.size());
+            result.positions.push_back(method.HasMoved(v) ? method.Position(v) : view_.Position(v));
+            result.vertexOrigin.push_back(static_cast<std::uint32_t>(v));
+        }
+        return place;
+    }
+};
 
 } // namespace vcg_ext

@@ -13,9 +13,9 @@
 #include <vcg/complex/algorithms/local_optimization.h>
 #include <vcg/complex/algorithms/local_optimization/tri_edge_collapse.h>
 
-#include "vcg_ext/ordered/ring.h"
-#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/base/progress.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
 {
@@ -23,8 +23,9 @@ namespace vcg_ext
 /// What a method says about the collapse of one vertex into another.
 struct CollapseAssessment {
     double cost;
-    vcg::Point3d placement; ///< in the method's own frame
-    bool isFinal;           ///< false: a lower bound; only where it exceeds what was affordable
+    Vector3d placement;        ///< in the method's own frame
+    bool isFinal;              ///< false: a lower bound; only where it exceeds what was affordable
+    bool removedStays = false; ///< the placement is where the vertex that was to go is: that one survives
 };
 
 template <class Mesh, class Method>
@@ -92,6 +93,7 @@ class QueuedCollapse
                 return false;
             }
             placement_ = assessment->placement;
+            removedStays_ = assessment->removedStays;
             isFinal_ = assessment->isFinal;
             priority_ = std::max(priority_, Run::Priority(assessment->cost));
             if (!isFinal_ || priority_ > run.NextPriority()) {
@@ -108,6 +110,7 @@ class QueuedCollapse
     void Execute(Mesh& mesh, vcg::BaseParameterClass* parameters) override
     {
         Run& run = *static_cast<Run*>(parameters);
+        if (removedStays_) this->pos = VertexPair(this->pos.V(1), this->pos.V(0));
         const auto position = run.method().Merge(*this->pos.V(0), *this->pos.V(1), placement_);
         vcg::tri::EdgeCollapser<Mesh, VertexPair>::Do(mesh, this->pos, position);
     }
@@ -132,7 +135,8 @@ class QueuedCollapse
 
   private:
     float priority_;
-    vcg::Point3d placement_{0, 0, 0};
+    Vector3d placement_{};
+    bool removedStays_ = false;
     bool isAssessed_ = false; ///< at least a lower bound has been asked for
     bool isFinal_ = false;
 };
@@ -207,9 +211,6 @@ class CollapseRun : public vcg::BaseParameterClass
     }
 
   public:
-    /// Keeps the scale of costs, squared lengths times areas of a mesh of unit size, inside a float.
-    static constexpr double kPriorityScale = 1e12;
-
     /// \pre vertex-face adjacency and vertex marks are there; both arguments outlive the run
     CollapseRun(Mesh& mesh, Method& method)
         : mesh_(mesh), method_(method), optimization_(mesh, this), ring_(mesh), changed_(mesh.vert.size(), 0)
@@ -223,14 +224,14 @@ class CollapseRun : public vcg::BaseParameterClass
 
     static float Priority(double cost)
     {
-        return static_cast<float>(std::min(cost * kPriorityScale, static_cast<double>(FLT_MAX)));
+        return static_cast<float>(std::min(cost, static_cast<double>(FLT_MAX)));
     }
 
     /// The priority of the entry behind the one that has come up.
     float NextPriority() const { return optimization_.h.empty() ? FLT_MAX : optimization_.h.front().pri; }
 
     /// The cost up to which the entry that has come up is still the cheapest.
-    double AffordableCost() const { return static_cast<double>(NextPriority()) / kPriorityScale; }
+    double AffordableCost() const { return static_cast<double>(NextPriority()); }
 
     bool HasChangedSince(const VertexType& removed, const VertexType& kept, int time) const
     {

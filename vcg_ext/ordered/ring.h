@@ -2,20 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cfloat>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <vcg/complex/complex.h>
 
+#include "vcg_ext/core/collapse/cost.h"
+
 namespace vcg_ext
 {
+
+using Vector3d = vcg_ext::Vector3<double>;
 
 /// An edge at a vertex and the faces on it.
 template <class Mesh>
 struct RingEdge {
+    using FaceType = typename Mesh::FaceType;
     typename Mesh::VertexType* neighbour;
-    typename Mesh::FaceType* faces[2]; ///< the first two of them; null where there are fewer
-    int faceCount;                     ///< 1 on the border, 2 inside, more where the mesh is not a manifold
+    FaceType* face = nullptr; ///< one of them
+    FaceType* incoming =
+        nullptr;       ///< the first in the mesh that runs along the edge towards the vertex, or null
+    int faceCount = 0; ///< 1 on the border, 2 inside, more where the mesh is not a manifold
+    int balance = 0;   ///< faces that run along it away from the vertex, less those towards it
 };
 
 /// Lists the edges at one vertex after the other by vertex-face adjacency, each neighbour once.
@@ -32,16 +43,21 @@ class RingEdges
     std::vector<std::uint32_t> slot_; ///< where the vertex would be in edges_
     std::vector<RingEdge<Mesh>> edges_;
 
-    void Add(VertexType* neighbour, FaceType* face)
+    RingEdge<Mesh>& EdgeTo(VertexType* neighbour)
     {
-        if (const RingEdge<Mesh>* known = Find(*neighbour)) {
-            RingEdge<Mesh>& edge = edges_[static_cast<std::size_t>(known - edges_.data())];
-            if (edge.faceCount == 1) edge.faces[1] = face;
-            ++edge.faceCount;
-            return;
-        }
+        if (const RingEdge<Mesh>* known = Find(*neighbour))
+            return edges_[static_cast<std::size_t>(known - edges_.data())];
         slot_[vcg::tri::Index(mesh_, neighbour)] = static_cast<std::uint32_t>(edges_.size());
-        edges_.push_back({neighbour, {face, nullptr}, 1});
+        edges_.push_back({neighbour});
+        return edges_.back();
+    }
+    RingEdge<Mesh>& Add(VertexType* neighbour, FaceType* face, int direction)
+    {
+        RingEdge<Mesh>& edge = EdgeTo(neighbour);
+        edge.face = face;
+        edge.balance += direction;
+        ++edge.faceCount;
+        return edge;
     }
 
   public:
@@ -52,8 +68,9 @@ class RingEdges
     {
         edges_.clear();
         for (vcg::face::VFIterator<FaceType> corner(&vertex); !corner.End(); ++corner) {
-            Add(corner.V1(), corner.F());
-            Add(corner.V2(), corner.F());
+            Add(corner.V1(), corner.F(), 1);
+            RingEdge<Mesh>& edge = Add(corner.V2(), corner.F(), -1);
+            if (edge.incoming == nullptr || corner.F() < edge.incoming) edge.incoming = corner.F();
         }
         return edges_;
     }
@@ -67,6 +84,35 @@ class RingEdges
 
     const std::vector<RingEdge<Mesh>>& edges() const { return edges_; }
 };
+
+/// A face that outlives a collapse, seen from the corner that moves.
+struct StarFace {
+    Vector3d next, previous; ///< the other corners
+    Vector3d scaledNormal;   ///< of ScaledNormal, before the collapse
+    std::uint32_t face;      ///< its index in the mesh
+};
+
+/// The squared quality of the worst of \p faces when their moving corner is at \p x, DBL_MAX where there is
+/// none; nothing where one of them turns too far or loses its area.
+inline std::optional<double> WorstQuality2(const std::vector<StarFace>& faces, const Vector3d& x)
+{
+    double worst2 = DBL_MAX;
+    for (const StarFace& face : faces) {
+        const auto moved = MoveFace(face.next - x, face.previous - x);
+        if (TurnedTooFar(moved, face.scaledNormal)) return std::nullopt;
+        worst2 = std::min(worst2, moved.quality2);
+    }
+    return worst2;
+}
+
+/// Whether the faces at a vertex close up around it: as many run along every edge one way as the other.
+template <class Mesh>
+bool IsClosed(const std::vector<RingEdge<Mesh>>& edges)
+{
+    for (const RingEdge<Mesh>& edge : edges)
+        if (edge.balance != 0) return false;
+    return true;
+}
 
 /// Whether a list of edges at a vertex has one with a single face.
 template <class Mesh>

@@ -3,253 +3,217 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "vcg_ext/ordered/frame.h"
-#include "vcg_ext/ordered/ring.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/parameters.h"
-#include "vcg_ext/ordered/quadric.h"
-#include "vcg_ext/ordered/star_face.h"
+#include "vcg_ext/ordered/mesh.h"
+#include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
 {
 
-/// What the guided collapse keeps of a vertex.
-struct GuidedVertex {
-    vcg::Point3d position{0, 0, 0}; ///< in the frame
-    double descriptor = 0;          ///< l
-    double weight = 1;              ///< w
-    SymmetricMatrix star; ///< C, about the vertex itself: every plane of it passes through the vertex
-    Quadric accumulated;  ///< A, about the vertex, times w
+/// Where l comes from.
+struct Guidance {
+    double featureWeight = 2;       ///< lambda >= 0, dimensionless
+    std::vector<double> given;      ///< l in [0, 1], one a vertex; empty: of the Laplacian descriptor
+    std::vector<double> descriptor; ///< that descriptor, where the triangles do not tell it; empty: they do
 };
 
-/// Sums over the faces around an edge, of n·p and of n, 2 area long each: where the volume stays the same.
-struct StarMoments {
-    vcg::Point3d normal{0, 0, 0};
-    double offset = 0;
-    double area = 0;
-};
-
-/// weight (normal·x - offset)²
-struct VolumePlane {
-    vcg::Point3d normal{0, 0, 0};
-    double offset = 0;
-    double weight = 0;
-};
-
-/// Positions, quadrics and face normals of all vertices, in the frame of the mesh, kept up to date over
-/// collapses.
+/// What the guided collapse knows of all vertices and faces, in the engine's frame, kept up to date over
+/// collapses: the engine's records and the formulas that fill them, in double precision.
 template <class Mesh>
 class GuidedStars
 {
     using VertexType = typename Mesh::VertexType;
     using FaceType = typename Mesh::FaceType;
-    using Point = vcg::Point3d;
     using Ring = std::vector<RingEdge<Mesh>>;
     using Corner = vcg::face::VFIterator<FaceType>;
-
-    struct FaceNormal {
-        Point normal; ///< 2 area long
-        double doubleArea;
-    };
-
-    /// Weight of planes across edges that turn by more than 30 degrees, against those of the border.
-    static constexpr double kSharpEdgeWeight = .1;
-    static constexpr double kSharpCosine = .86602540378443865;
-    /// The same of edges that turn by more than 120 degrees, where a vertex has two: the tip of a thin part.
-    /// The planes of its faces are all nearly the same there and do not know the outline.
-    static constexpr double kTipWeight = .7;
-    static constexpr double kFoldCosine = -.5;
-    static constexpr int kFoldsAtATip = 2;
+    using EdgeEnd = vcg_ext::EdgeEnd<double>;
+    using Matrix = vcg_ext::SymmetricMatrix3<double>;
+    using Importance = vcg_ext::Importance<double>;
 
     Mesh& mesh_;
-    CollapseFrame frame_;
-    bool keepBorder_;
-    std::vector<GuidedVertex> vertices_;
-    std::vector<FaceNormal> faces_;
-    std::vector<std::uint8_t> atBorder_; ///< has or had an edge with one face
+    MeshFrame frame_;
+    bool bordersCount_;
+    double lambda_ = 0;
+    double descriptorScale_ = 0; ///< 1 / the descriptor that counts as 1; 0: the descriptor does not count
+    std::vector<EdgeEnd> ends_;
+    std::vector<double> descriptor_;      ///< l
+    std::vector<Vector3d> scaledNormals_; ///< of the faces
+    std::vector<std::uint8_t> atBorder_;  ///< has or had an edge with one face
     RingEdges<Mesh> ring_;
 
     std::size_t IndexOf(const VertexType* vertex) const { return vcg::tri::Index(mesh_, vertex); }
-    const Point& PositionOf(const VertexType* vertex) const { return vertices_[IndexOf(vertex)].position; }
-    const FaceNormal& NormalOf(const FaceType* face) const { return faces_[vcg::tri::Index(mesh_, face)]; }
-
-    void UpdateNormal(FaceType& face)
+    const Vector3d& PositionOf(const VertexType* vertex) const { return ends_[IndexOf(vertex)].position; }
+    const Vector3d& NormalOf(const FaceType* face) const
     {
-        const Point& p = PositionOf(face.cV(0));
-        FaceNormal& stored = faces_[vcg::tri::Index(mesh_, &face)];
-        stored.normal = (PositionOf(face.cV(1)) - p) ^ (PositionOf(face.cV(2)) - p);
-        stored.doubleArea = stored.normal.Norm();
+        return scaledNormals_[vcg::tri::Index(mesh_, face)];
+    }
+    Importance ImportanceAt(std::size_t v) const { return {descriptor_[v], ends_[v].weight}; }
+
+    void UpdateNormal(const FaceType& face)
+    {
+        scaledNormals_[vcg::tri::Index(mesh_, &face)] =
+            ScaledNormal(PositionOf(face.cV(0)), PositionOf(face.cV(1)), PositionOf(face.cV(2)));
     }
 
-    /// Adds the plane through the edge, perpendicular to \p face, weighted by the squared edge length.
-    void AddPlaneAcross(SymmetricMatrix& quadric, const VertexType* a, const VertexType* b,
-                        const FaceType* face, double weight) const
+    StarSums<double> SumStar(VertexType& vertex) const
     {
-        const FaceNormal& normal = NormalOf(face);
-        const Point edge = PositionOf(b) - PositionOf(a);
-        if (normal.doubleArea > 0) quadric.AddOuter((normal.normal ^ edge) / normal.doubleArea, weight);
+        StarSums<double> sums;
+        const Vector3d& p = PositionOf(&vertex);
+        for (Corner corner(&vertex); !corner.End(); ++corner)
+            sums.Add(PositionOf(corner.V1()) - p, PositionOf(corner.V2()) - p, NormalOf(corner.F()));
+        return sums;
     }
 
-    /// Do the two faces of the edge turn by more than the angle of that cosine?
-    bool IsSharp(const RingEdge<Mesh>& edge, double cosine) const
+    /// Planes across the border's edges at \p vertex.
+    Matrix BorderPlanes(const VertexType& vertex, const Ring& ring) const
     {
-        if (edge.faceCount != 2) return false;
-        const FaceNormal& a = NormalOf(edge.faces[0]);
-        const FaceNormal& b = NormalOf(edge.faces[1]);
-        return a.normal.dot(b.normal) < cosine * a.doubleArea * b.doubleArea;
-    }
-
-    /// Planes across both faces of all sharp edges at \p vertex.
-    SymmetricMatrix SharpPlanes(const VertexType& vertex, const Ring& ring) const
-    {
-        SymmetricMatrix creases, folded;
-        int folds = 0;
-        for (const RingEdge<Mesh>& edge : ring) {
-            if (!IsSharp(edge, kSharpCosine)) continue;
-            const bool fold = IsSharp(edge, kFoldCosine);
-            folds += fold;
-            for (const FaceType* face : edge.faces)
-                AddPlaneAcross(fold ? folded : creases, &vertex, edge.neighbour, face, 1);
-        }
-        SymmetricMatrix planes;
-        planes.Add(creases, kSharpEdgeWeight);
-        planes.Add(folded, folds < kFoldsAtATip ? kSharpEdgeWeight : kTipWeight);
+        Matrix planes{};
+        for (const RingEdge<Mesh>& edge : ring)
+            if (edge.faceCount == 1)
+                planes = planes + PerpendicularPlane(NormalOf(edge.face),
+                                                     PositionOf(edge.neighbour) - PositionOf(&vertex));
         return planes;
+    }
+
+    /// Of every face at \p vertex and the first of those that share its outgoing edge. \pre ring_ is
+    /// collected
+    Matrix CreasesOf(VertexType& vertex) const
+    {
+        CreasePlanes<double> creases;
+        for (Corner corner(&vertex); !corner.End(); ++corner)
+            if (const FaceType* other = ring_.Find(*corner.V1())->incoming)
+                creases.Add(PositionOf(corner.V1()) - PositionOf(&vertex), NormalOf(corner.F()),
+                            NormalOf(other));
+        return creases.Sum();
     }
 
     /// C: planes of the faces and, on the border, across its edges.
     void RebuildStar(VertexType& vertex)
     {
-        SymmetricMatrix star;
-        for (Corner corner(&vertex); !corner.End(); ++corner) {
-            const FaceNormal& face = NormalOf(corner.F());
-            if (face.doubleArea > 0) star.AddOuter(face.normal, 1 / face.doubleArea);
-        }
+        Matrix star{};
+        for (Corner corner(&vertex); !corner.End(); ++corner)
+            star = star + OuterProduct(NormalOf(corner.F()));
         const std::size_t v = IndexOf(&vertex);
-        if (keepBorder_ && atBorder_[v] != 0)
-            for (const RingEdge<Mesh>& edge : ring_.Collect(vertex))
-                if (edge.faceCount == 1) AddPlaneAcross(star, &vertex, edge.neighbour, edge.faces[0], 1);
-        vertices_[v].star = star;
+        if (bordersCount_ && atBorder_[v] != 0) star = star + BorderPlanes(vertex, ring_.Collect(vertex));
+        ends_[v].star = star;
     }
 
+    /// Quadrics without weight, and the descriptor itself in place of l.
     void InitialiseVertex(VertexType& vertex)
     {
         const std::size_t v = IndexOf(&vertex);
         const Ring& ring = ring_.Collect(vertex);
-        atBorder_[v] = TouchesBorder<Mesh>(ring);
-        const SymmetricMatrix sharp = SharpPlanes(vertex, ring);
-        RebuildStar(vertex);
-        vertices_[v].accumulated.a = vertices_[v].star;
-        vertices_[v].accumulated.a.Add(sharp, 1);
+        StarSums<double> sums = SumStar(vertex);
+        if (!IsClosed(ring)) {
+            sums.edges = {};
+            sums.length = 0;
+            for (const RingEdge<Mesh>& edge : ring)
+                sums.AddEdge(PositionOf(edge.neighbour) - PositionOf(&vertex), 1.0);
+        }
+        atBorder_[v] = TouchesBorder(ring);
+        ends_[v].weight = 1;
+        ends_[v].star = sums.star;
+        if (bordersCount_) ends_[v].star = ends_[v].star + BorderPlanes(vertex, ring);
+        ends_[v].history = {ends_[v].star + CreasesOf(vertex), {}, 0};
+        descriptor_[v] = StarDescriptor(sums);
+    }
+
+    void SetImportance(std::size_t v, const Importance& importance)
+    {
+        ends_[v].history = importance.weight / ends_[v].weight * ends_[v].history;
+        ends_[v].weight = importance.weight;
+        descriptor_[v] = importance.descriptor;
+    }
+
+    double ScaleOfDescriptor() const
+    {
+        std::vector<double> sample;
+        for (std::size_t v = 0; v < descriptor_.size(); ++v)
+            if (mesh_.vert[v].cVFp() != nullptr) sample.push_back(descriptor_[v]);
+        return DescriptorScale(std::move(sample));
+    }
+
+    void Weigh(const Guidance& guidance)
+    {
+        lambda_ = guidance.featureWeight;
+        if (!guidance.descriptor.empty()) descriptor_ = guidance.descriptor;
+        if (guidance.given.empty()) descriptorScale_ = ScaleOfDescriptor();
+        for (std::size_t v = 0; v < descriptor_.size(); ++v) {
+            const double l = guidance.given.empty() ? descriptor_[v] * descriptorScale_ : guidance.given[v];
+            SetImportance(v, ImportanceOf(std::clamp(l, 0.0, 1.0), lambda_));
+        }
     }
 
   public:
     /// \pre vertex-face adjacency is up to date; \p mesh outlives the stars
-    GuidedStars(Mesh& mesh, Boundary boundary)
-        : mesh_(mesh), frame_(mesh), keepBorder_(boundary != Boundary::Free), vertices_(mesh.vert.size()),
-          faces_(mesh.face.size()), atBorder_(mesh.vert.size(), 0), ring_(mesh)
+    GuidedStars(Mesh& mesh, const Guidance& guidance, Boundary boundary)
+        : mesh_(mesh), frame_(mesh), bordersCount_(boundary != Boundary::Free), ends_(mesh.vert.size()),
+          descriptor_(mesh.vert.size(), 0), scaledNormals_(mesh.face.size()), atBorder_(mesh.vert.size(), 0),
+          ring_(mesh)
     {
-        for (std::size_t v = 0; v < vertices_.size(); ++v)
-            if (!mesh.vert[v].IsD()) vertices_[v].position = frame_.Into(Point::Construct(mesh.vert[v].cP()));
-        for (FaceType& face : mesh.face)
+        for (std::size_t v = 0; v < ends_.size(); ++v) ends_[v].position = frame_.Into(mesh.vert[v].cP());
+        for (const FaceType& face : mesh.face)
             if (!face.IsD()) UpdateNormal(face);
         for (VertexType& vertex : mesh.vert)
             if (!vertex.IsD()) InitialiseVertex(vertex);
+        Weigh(guidance);
     }
 
-    const CollapseFrame& frame() const { return frame_; }
-    const GuidedVertex& vertex(std::size_t v) const { return vertices_[v]; }
+    const MeshFrame& frame() const { return frame_; }
+    const EdgeEnd& end(std::size_t v) const { return ends_[v]; }
+    const std::vector<double>& descriptors() const { return descriptor_; }
+    double descriptor(std::size_t v) const { return descriptor_[v]; }
+    double DoubleArea(const FaceType& face) const { return Dot(NormalOf(&face), NormalOf(&face)); }
 
-    double DoubleArea(const FaceType& face) const { return NormalOf(&face).doubleArea; }
-
-    /// Sets l, w = e^{lambda l} and multiplies A by w. \param descriptor one a vertex, empty: 0
-    void Weigh(const std::vector<double>& descriptor, double lambda)
+    /// The faces that the collapse of the edge leaves, into \p faces, and what all of them span.
+    StarAreas<double> Gather(VertexType& removed, VertexType& kept, std::vector<StarFace>& faces) const
     {
-        for (std::size_t v = 0; v < descriptor.size(); ++v) {
-            vertices_[v].descriptor = descriptor[v];
-            vertices_[v].weight = std::exp(lambda * descriptor[v]);
-            vertices_[v].accumulated.Scale(vertices_[v].weight);
-        }
-    }
-
-    /// The faces that the collapse of the edge leaves, into \p faces, and the sums over all faces around it;
-    /// points count from \p origin.
-    StarMoments Gather(VertexType& removed, VertexType& kept, const Point& origin,
-                       std::vector<StarFace>& faces) const
-    {
-        StarMoments moments;
+        StarAreas<double> areas;
         faces.clear();
-        const auto Add = [&](const Corner& corner, const VertexType* other, bool countShared) {
-            const bool shared = corner.V1() == other || corner.V2() == other;
-            if (shared && !countShared) return;
-            const FaceNormal& face = NormalOf(corner.f);
-            const Point next = PositionOf(corner.V1()) - origin;
-            moments.normal += face.normal;
-            moments.offset += face.normal.dot(next);
-            moments.area += face.doubleArea;
-            if (!shared)
-                faces.push_back({next, PositionOf(corner.V2()) - origin, face.normal, face.doubleArea,
-                                 static_cast<std::uint32_t>(vcg::tri::Index(mesh_, corner.f))});
+        const auto add = [&](VertexType& end, const VertexType* other, Vector3d& area, bool countShared) {
+            for (Corner corner(&end); !corner.End(); ++corner) {
+                const Vector3d& normal = NormalOf(corner.F());
+                if (corner.V1() == other || corner.V2() == other) {
+                    if (countShared) areas.Add(normal, areas.edge);
+                    continue;
+                }
+                areas.Add(normal, area);
+                faces.push_back({PositionOf(corner.V1()), PositionOf(corner.V2()), normal,
+                                 static_cast<std::uint32_t>(vcg::tri::Index(mesh_, corner.F()))});
+            }
         };
-        for (Corner corner(&removed); !corner.End(); ++corner) Add(corner, &kept, true);
-        for (Corner corner(&kept); !corner.End(); ++corner) Add(corner, &removed, false);
-        return moments;
+        add(removed, &kept, areas.a, true);
+        add(kept, &removed, areas.b, false);
+        return areas;
     }
 
     /// Moves what is known of \p removed into \p kept, which goes to \p placement.
-    void Merge(std::size_t removed, std::size_t kept, const Point& placement)
+    void Merge(std::size_t removed, std::size_t kept, const Vector3d& placement)
     {
-        const GuidedVertex& from = vertices_[removed];
-        GuidedVertex& into = vertices_[kept];
-        into.accumulated = into.accumulated.CountedFrom(placement - into.position);
-        into.accumulated.Add(from.accumulated.CountedFrom(placement - from.position));
-        into.descriptor = std::max(into.descriptor, from.descriptor);
-        into.weight = std::max(into.weight, from.weight);
+        EdgeEnd& into = ends_[kept];
+        const Importance merged = Merged(ImportanceAt(removed), ImportanceAt(kept), 0.0, lambda_);
+        into.history = MergedHistory(ends_[removed], into, placement);
+        into.weight = merged.weight;
         into.position = placement;
+        descriptor_[kept] = merged.descriptor;
         atBorder_[kept] |= atBorder_[removed];
     }
 
-    /// Brings normals and stars around the survivor of a collapse up to date.
+    /// Brings normals, stars and importance around the survivor of a collapse up to date.
     void Refresh(VertexType& kept, const Ring& ring)
     {
         for (Corner corner(&kept); !corner.End(); ++corner) UpdateNormal(*corner.F());
         RebuildStar(kept);
         for (const RingEdge<Mesh>& edge : ring) RebuildStar(*edge.neighbour);
-    }
-
-    /// The ratchet: where \p descriptor is above the vertex's own, w and A rise with it.
-    void RaiseDescriptor(std::size_t v, double descriptor, double lambda)
-    {
-        GuidedVertex& vertex = vertices_[v];
-        if (!(descriptor > vertex.descriptor)) return;
-        const double rise = std::exp(lambda * (descriptor - vertex.descriptor));
-        vertex.descriptor = descriptor;
-        vertex.weight *= rise;
-        vertex.accumulated.Scale(rise);
-    }
-
-    /// Eq. 5 at one vertex: |sum of the edges·normal| / sum of their lengths, the normal weighted by angles.
-    double LaplacianDescriptor(VertexType& vertex, const Ring& ring) const
-    {
-        const Point& p = PositionOf(&vertex);
-        Point sum(0, 0, 0), normal(0, 0, 0);
-        double length = 0;
-        for (const RingEdge<Mesh>& edge : ring) {
-            const Point e = PositionOf(edge.neighbour) - p;
-            sum += e;
-            length += e.Norm();
-        }
-        for (Corner corner(&vertex); !corner.End(); ++corner) {
-            const FaceNormal& face = NormalOf(corner.F());
-            if (!(face.doubleArea > 0)) continue;
-            const double cosine = (PositionOf(corner.V1()) - p).dot(PositionOf(corner.V2()) - p);
-            normal += face.normal * (std::atan2(face.doubleArea, cosine) / face.doubleArea);
-        }
-        const double norm = normal.Norm();
-        return norm > 0 && length > 0 ? std::abs(sum.dot(normal)) / (norm * length) : 0;
+        if (!(descriptorScale_ > 0)) return;
+        const double measured = std::min(1.0, StarDescriptor(SumStar(kept)) * descriptorScale_);
+        const Importance own = ImportanceAt(IndexOf(&kept));
+        SetImportance(IndexOf(&kept), Merged(own, own, measured, lambda_));
     }
 };
 

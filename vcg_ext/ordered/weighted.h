@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -10,10 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/ordered/frame.h"
-#include "vcg_ext/ordered/legality.h"
-#include "vcg_ext/ordered/queue.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/ordered/error_functions.h"
+#include "vcg_ext/ordered/legality.h"
+#include "vcg_ext/ordered/mesh.h"
+#include "vcg_ext/ordered/queue.h"
 
 namespace vcg_ext
 {
@@ -41,21 +43,21 @@ class WeightedCollapse
     using FaceType = typename Mesh::FaceType;
     using CoordType = typename Mesh::CoordType;
     using Corner = vcg::face::VFIterator<FaceType>;
-    using Point = vcg::Point3d;
+    using Quadric = vcg_ext::CentredQuadric<double>;
 
     Mesh& mesh_;
     WeightedCollapseParameters parameters_;
     const ErrorFunctionRow& function_;
-    CollapseFrame frame_;
+    MeshFrame frame_;
     CollapseLegality<Mesh> legality_;
-    std::vector<Point> positions_;
+    std::vector<Vector3d> positions_;
     std::vector<Quadric> quadrics_; ///< about the vertex; empty where the error function does without
     std::vector<std::uint32_t> parent_;
     std::vector<std::uint8_t> moved_;
     CollapseSurroundings edge_; ///< scratch of Assess
 
     std::size_t IndexOf(const VertexType* vertex) const { return vcg::tri::Index(mesh_, vertex); }
-    const Point& PositionOf(const VertexType* vertex) const { return positions_[IndexOf(vertex)]; }
+    const Vector3d& PositionOf(const VertexType* vertex) const { return positions_[IndexOf(vertex)]; }
     double DescriptorOf(std::size_t v) const
     {
         return parameters_.descriptor.empty() ? 0 : parameters_.descriptor[v];
@@ -69,46 +71,40 @@ class WeightedCollapse
         return function_.isDirected || IsFixed(kept) || (IsFeature(kept) && !IsFeature(removed));
     }
 
+    Vector3d NormalOf(const FaceType& face) const
+    {
+        return ScaledNormal(PositionOf(face.cV(0)), PositionOf(face.cV(1)), PositionOf(face.cV(2)));
+    }
+
     void InitialiseQuadric(VertexType& vertex, RingEdges<Mesh>& ring)
     {
         Quadric& quadric = quadrics_[IndexOf(&vertex)];
-        const Point& p = PositionOf(&vertex);
-        for (Corner corner(&vertex); !corner.End(); ++corner) {
-            const Point normal = (PositionOf(corner.V1()) - p) ^ (PositionOf(corner.V2()) - p);
-            const double doubleArea = normal.Norm();
-            if (doubleArea > 0) quadric.a.AddOuter(normal, 1 / doubleArea);
-        }
-        for (const RingEdge<Mesh>& edge : ring.Collect(vertex)) {
-            if (edge.faceCount != 1) continue;
-            const FaceType& face = *edge.faces[0];
-            const Point normal = (PositionOf(face.cV(1)) - PositionOf(face.cV(0))) ^
-                                 (PositionOf(face.cV(2)) - PositionOf(face.cV(0)));
-            const double doubleArea = normal.Norm();
-            if (doubleArea > 0)
-                quadric.a.AddOuter((normal ^ (PositionOf(edge.neighbour) - p)) / doubleArea, 1);
-        }
-        if (!parameters_.quadricWeights.empty()) quadric.Scale(parameters_.quadricWeights[IndexOf(&vertex)]);
+        for (Corner corner(&vertex); !corner.End(); ++corner)
+            quadric.matrix = quadric.matrix + OuterProduct(NormalOf(*corner.F()));
+        for (const RingEdge<Mesh>& edge : ring.Collect(vertex))
+            if (edge.faceCount == 1)
+                quadric.matrix =
+                    quadric.matrix + PerpendicularPlane(NormalOf(*edge.face),
+                                                        PositionOf(edge.neighbour) - PositionOf(&vertex));
+        if (!parameters_.quadricWeights.empty())
+            quadric = parameters_.quadricWeights[IndexOf(&vertex)] * quadric;
     }
 
-    void AddStayingFaces(VertexType& vertex, const VertexType& other, const Point& origin)
+    void AddStayingFaces(VertexType& vertex, const VertexType& other, const Vector3d& origin)
     {
-        const Point p = PositionOf(&vertex) - origin;
-        for (Corner corner(&vertex); !corner.End(); ++corner) {
-            if (corner.V1() == &other || corner.V2() == &other) continue;
-            const Point next = PositionOf(corner.V1()) - origin, previous = PositionOf(corner.V2()) - origin;
-            const Point normal = (next - p) ^ (previous - p);
-            edge_.stayingFaces.push_back({next, previous, normal, normal.Norm(),
-                                          static_cast<std::uint32_t>(vcg::tri::Index(mesh_, corner.F()))});
-        }
+        for (Corner corner(&vertex); !corner.End(); ++corner)
+            if (corner.V1() != &other && corner.V2() != &other)
+                edge_.stayingFaces.push_back(
+                    {PositionOf(corner.V1()) - origin, PositionOf(corner.V2()) - origin,
+                     NormalOf(*corner.F()), static_cast<std::uint32_t>(vcg::tri::Index(mesh_, corner.F()))});
     }
 
     void AddRemovedFaces(VertexType& removed, const VertexType& kept)
     {
-        const Point& p = PositionOf(&removed);
         for (Corner corner(&removed); !corner.End(); ++corner) {
-            const Point normal = (PositionOf(corner.V1()) - p) ^ (PositionOf(corner.V2()) - p);
-            const double doubleArea = normal.Norm();
-            edge_.removedFaces.push_back({doubleArea > 0 ? normal / doubleArea : Point(0, 0, 0),
+            const Vector3d normal = NormalOf(*corner.F());
+            const double length = std::sqrt(Dot(normal, normal));
+            edge_.removedFaces.push_back({length > 0 ? 1 / length * normal : Vector3d{},
                                           corner.V1() == &kept || corner.V2() == &kept});
         }
     }
@@ -116,7 +112,7 @@ class WeightedCollapse
     void Surround(VertexType& removed, VertexType& kept)
     {
         const std::size_t from = IndexOf(&removed), into = IndexOf(&kept);
-        const Point origin = positions_[from];
+        const Vector3d origin = positions_[from];
         edge_.kept = positions_[into] - origin;
         edge_.keptStays = KeptStays(removed, kept);
         edge_.removedFaces.clear();
@@ -127,8 +123,7 @@ class WeightedCollapse
             AddRemovedFaces(removed, kept);
             return;
         }
-        edge_.quadric = quadrics_[into].CountedFrom(-edge_.kept);
-        edge_.quadric.Add(quadrics_[from]);
+        edge_.quadric = Recentred(quadrics_[into], -1.0 * edge_.kept) + quadrics_[from];
     }
 
   public:
@@ -139,8 +134,7 @@ class WeightedCollapse
           moved_(mesh.vert.size(), 0)
     {
         std::iota(parent_.begin(), parent_.end(), 0U);
-        for (std::size_t v = 0; v < positions_.size(); ++v)
-            positions_[v] = frame_.Into(Point::Construct(mesh.vert[v].cP()));
+        for (std::size_t v = 0; v < positions_.size(); ++v) positions_[v] = frame_.Into(mesh.vert[v].cP());
         if (!function_.usesQuadric) return;
         quadrics_.resize(mesh.vert.size());
         RingEdges<Mesh> ring(mesh);
@@ -178,22 +172,21 @@ class WeightedCollapse
     bool IsLegal(VertexType& removed, VertexType& kept) { return legality_.StaysManifold(removed, kept); }
     static constexpr bool BeginLastResort() { return false; }
 
-    CoordType Merge(VertexType& removed, VertexType& kept, const Point& placement)
+    CoordType Merge(VertexType& removed, VertexType& kept, const Vector3d& placement)
     {
         const std::size_t from = IndexOf(&removed), into = IndexOf(&kept);
         const bool stays = KeptStays(removed, kept);
-        const Point position = stays ? positions_[into] : placement;
+        const Vector3d position = stays ? positions_[into] : placement;
         parent_[from] = static_cast<std::uint32_t>(into);
-        if (function_.usesQuadric) {
-            quadrics_[into] = quadrics_[into].CountedFrom(position - positions_[into]);
-            quadrics_[into].Add(quadrics_[from].CountedFrom(position - positions_[from]));
-        }
+        if (function_.usesQuadric)
+            quadrics_[into] = Recentred(quadrics_[into], position - positions_[into]) +
+                              Recentred(quadrics_[from], position - positions_[from]);
         if (stays) return kept.cP();
         if (!parameters_.descriptor.empty())
             parameters_.descriptor[into] = std::max(DescriptorOf(from), DescriptorOf(into));
         positions_[into] = position;
         moved_[into] = 1;
-        return CoordType::Construct(frame_.OutOf(position));
+        return PointOf<CoordType>(Position(into));
     }
 
     void Refresh(VertexType&, const std::vector<RingEdge<Mesh>>&) {}
@@ -205,7 +198,7 @@ class WeightedCollapse
         return vertex;
     }
     bool HasMoved(std::size_t vertex) const { return moved_[vertex] != 0; }
-    Point Position(std::size_t vertex) const { return frame_.OutOf(positions_[vertex]); }
+    std::array<double, 3> Position(std::size_t vertex) const { return frame_.OutOf(positions_[vertex]); }
 };
 
 } // namespace vcg_ext

@@ -88,7 +88,7 @@ void TurnedFace(float degrees, Vector3<float>& a, Vector3<float>& b)
 
 } // namespace
 
-class TestCollapseFormulas : public QObject
+class TestCost : public QObject
 {
     Q_OBJECT
 
@@ -177,25 +177,9 @@ class TestCollapseFormulas : public QObject
         const SymmetricMatrix3<double> vertical{1, 0, 0, 1, 0, 0};
         const EdgeEnd<double> a{{0, 0, 0}, 1, vertical, {}}, b{{1, 0, 0.5}, 1, vertical, {}};
         const Vector3<double> half = HalfEdgeVector(a, b);
-        const StarAreas<double> areas{{0, 0, 2}, {0, 0, 3}, {0, 0, 5}, 6};
+        const StarAreas<double> areas{{0, 0, 2}, {0, 0, 3}, {}, 6};
         const Vector3<double> offset = VolumeAwareOffset(a, b, half, areas);
         QVERIFY(Near(offset.z, (3 - 2) * half.z / 5, 1e-5));
-    }
-
-    void aScaledNormalSquaredIsTwiceTheAreaTimesThePlane()
-    {
-        const Vector3<float> m = ScaledNormal({0, 0, 0}, {3, 0, 0}, {0, 2, 0});
-        QVERIFY(Near(QuadraticForm(OuterProduct(m), {5, -4, 1}), 6, 1e-6)); // distance 1, area 3
-        const Vector3<float> none = ScaledNormal({1, 1, 1}, {2, 2, 2}, {3, 3, 3});
-        QCOMPARE(Dot(none, none), 0.0f);
-    }
-
-    void aPerpendicularPlaneStandsOnItsEdge()
-    {
-        const SymmetricMatrix3<float> plane = PerpendicularPlane({0, 0, 7}, {2, 0, 0});
-        QVERIFY(Near(QuadraticForm(plane, {1, 0, 5}), 0, 1e-6));  // in the plane
-        QVERIFY(Near(QuadraticForm(plane, {1, 3, 0}), 36, 1e-6)); // distance 3, length 2
-        QCOMPARE(PerpendicularPlane({0, 0, 0}, {1, 0, 0}).Trace(), 0.0f);
     }
 
     void aFaceMayTurnBySeventySevenDegreesButNotBySeventyNine()
@@ -240,25 +224,7 @@ class TestCollapseFormulas : public QObject
         QVERIFY(Near(penalty(0.01f), 3, 1e-4)); // a third of kPoorQuality
         QVERIFY(std::isfinite(penalty(0)));
     }
-
-    void theDescriptorOfAPyramidIsTheSlopeOfItsEdges()
-    {
-        const float height = 0.7f;
-        StarSums<float> sums;
-        for (int i = 0; i < 5; ++i) {
-            const auto corner = [&](int k) {
-                const float angle = 2 * kPi * static_cast<float>(k) / 5;
-                return Vector3<float>{std::cos(angle), std::sin(angle), -height};
-            };
-            const Vector3<float> a = corner(i), b = corner(i + 1);
-            const Vector3<float> m = ScaledNormal({0, 0, 0}, a, b);
-            sums.Add(a, b, Sqrt(Dot(a, a)), Sqrt(Dot(b, b)), m, 1 / Sqrt(Dot(m, m)));
-        }
-        const float l = LaplacianDescriptor(sums.edges, sums.normal, sums.length);
-        QVERIFY(Near(l, height / std::sqrt(1 + height * height), 1e-6));
-        QCOMPARE(LaplacianDescriptor({0, 0, 0}, {0, 0, 0}, 0), 0.0f);
-    }
 };
 
-QTEST_APPLESS_MAIN(TestCollapseFormulas)
+QTEST_APPLESS_MAIN(TestCost)
 #include "test_cost.moc"

@@ -403,6 +403,7 @@ class TestEngine : public QObject
         QVERIFY(same > result.positions.size() * 95 / 100);
     }
 
+#ifdef _OPENMP
     /// So the environment's OMP_NUM_THREADS counts, too.
     void zeroThreadsAreAsManyAsOpenMpUses()
     {
@@ -412,6 +413,7 @@ class TestEngine : public QObject
         QCOMPARE(ResolveThreads(2), 2);
         omp_set_num_threads(before);
     }
+#endif
 
     void everyInputFaceIsInTheOrderOnce()
     {

@@ -7,6 +7,7 @@
 
 #include "vcg_ext/core/collapse/border_planes.h"
 #include "vcg_ext/core/collapse/ring_trial.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
 
@@ -121,14 +122,8 @@ class CollapseWriter
     {
         const VertexRecord& gone = state_.vertices[removed];
         VertexRecord& here = state_.vertices[survivor];
-        CentredQuadric<float> history = Recentred(gone.History(), placement - gone.Position());
-        const CentredQuadric<float> own = Recentred(here.History(), placement - here.Position());
-        history = {history.matrix + own.matrix, history.linear + own.linear, history.constant + own.constant};
-
-        const float weight = std::max(gone.value[VertexRecord::kWeight], here.value[VertexRecord::kWeight]);
-        const float descriptor = std::max(state_.descriptor[removed], state_.descriptor[survivor]);
-        const float rise = Ratchet(descriptor, weight, survivor);
-        here.SetHistory({rise * history.matrix, rise * history.linear, rise * history.constant});
+        const CentredQuadric<float> history = MergedHistory(gone.End(), here.End(), placement);
+        here.SetHistory(MergeImportance(removed, survivor) * history);
         here.SetMatrix(VertexRecord::kStar, workspace_.star.sums.star);
         const Vector3<float> moved = placement - here.Position();
         unsigned flags = state_.flags[survivor] | (state_.flags[removed] & kBorderVertex);
@@ -137,25 +132,22 @@ class CollapseWriter
         here.SetPosition(placement);
     }
 
-    /// The survivor keeps the larger descriptor, and a still larger one if its new star shows it.
-    /// \return the factor by which its weight rose
-    float Ratchet(float descriptor, float weight, std::uint32_t survivor)
+    /// Gives the survivor what both ends and its new star deserve. \return the factor by which its weight is
+    /// above those of both
+    float MergeImportance(std::uint32_t removed, std::uint32_t survivor)
     {
-        const StarSums<float>& sums = workspace_.star.sums;
-        float rise = 1;
-        if (state_.ratchetRecomputes) {
-            const float measured = LaplacianDescriptor(sums.edges, sums.normal, sums.length);
-            const float now = std::min(1.0f, measured * state_.descriptorScale);
-            if (now > descriptor) {
-                const float raised = std::exp(state_.featureWeight * now);
-                rise = raised / weight;
-                descriptor = now;
-                weight = raised;
-            }
-        }
-        state_.descriptor[survivor] = descriptor;
-        state_.vertices[survivor].value[VertexRecord::kWeight] = weight;
-        return rise;
+        const auto importance = [&](std::uint32_t v) {
+            return Importance<float>{state_.descriptor[v], state_.vertices[v].value[VertexRecord::kWeight]};
+        };
+        const Importance<float> a = importance(removed), b = importance(survivor);
+        const float measured =
+            state_.ratchetRecomputes
+                ? std::min(1.0f, StarDescriptor(workspace_.star.sums) * state_.descriptorScale)
+                : 0.0f;
+        const Importance<float> merged = Merged(a, b, measured, state_.featureWeight);
+        state_.descriptor[survivor] = merged.descriptor;
+        state_.vertices[survivor].value[VertexRecord::kWeight] = merged.weight;
+        return merged.weight / std::max(a.weight, b.weight);
     }
 };
 

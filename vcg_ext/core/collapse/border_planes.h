@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
 
 namespace vcg_ext

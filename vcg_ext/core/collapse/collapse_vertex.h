@@ -8,6 +8,7 @@
 #include "vcg_ext/core/collapse/apply.h"
 #include "vcg_ext/core/collapse/edge_costs.h"
 #include "vcg_ext/core/collapse/legality.h"
+#include "vcg_ext/core/collapse/placement.h"
 #include "vcg_ext/core/collapse/ring_trial.h"
 
 namespace vcg_ext
@@ -33,6 +34,13 @@ enum class VisitResult {
 /// Looks at one vertex after another on behalf of one thread.
 class VertexVisitor
 {
+    SweepState& state_;
+    Workspace& workspace_;
+    CollapseWriter writer_;
+    std::size_t died_ = 0;
+
+  public:
+    /// A collapse that is looked at.
     struct Attempt {
         bool outside = false;
         float cost = kRefusedKey; ///< of the edge with everything that is known now
@@ -40,12 +48,6 @@ class VertexVisitor
         bool atRemoved = false; ///< the placement is where the vertex that was to go is: that one stays
     };
 
-    SweepState& state_;
-    Workspace& workspace_;
-    CollapseWriter writer_;
-    std::size_t died_ = 0;
-
-  public:
     VertexVisitor(SweepState& state, Workspace& workspace, std::uint32_t& poolEnd)
         : state_(state), workspace_(workspace), writer_(state, workspace, poolEnd)
     {
@@ -53,6 +55,25 @@ class VertexVisitor
 
     /// Faces that died in all visits.
     std::size_t Died() const { return died_; }
+
+    /// Where the new vertex of an edge would go and what the edge then costs, into \p attempt.
+    /// \pre both stars are gathered, attempt.cost is that of EvaluateEdges
+    void Place(std::uint32_t removed, std::uint32_t survivor, const SweepStep& step, Attempt& attempt)
+    {
+        const EdgeEnd<float> a = state_.vertices[removed].End(), b = state_.vertices[survivor].End();
+        const bool fixed = state_.Has(survivor, kFixedVertex);
+        const auto placed = Placed(
+            a, b, fixed, attempt.cost, step.threshold, [&] { return AreasOf(state_, workspace_.star); },
+            [&](const Vector3<float>& x) { return EvaluateRing(state_, x, workspace_.star); });
+        if (placed) {
+            attempt.placement = placed->position;
+            attempt.cost = placed->cost;
+            attempt.atRemoved = placed->atA;
+            return;
+        }
+        attempt.cost = kRefusedKey;
+        if (step.lastResort && !fixed) TryOtherPlacements(a, b, step, attempt);
+    }
 
     /// Merges \p v with a neighbour if that costs at most the threshold; otherwise its key becomes the lowest
     /// cost found. Writes only to vertices of \p range and to faces of which all vertices are in it.
@@ -118,63 +139,15 @@ class VertexVisitor
             attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
             return attempt;
         }
-        const bool fixed = state_.Has(survivor, kFixedVertex);
-        if (!fixed && StaysAtAnEnd(removed, survivor, attempt)) return attempt;
-        if (fixed)
-            attempt.placement = state_.Position(survivor);
-        else
-            PlaceWithVolume(removed, survivor, attempt);
-        if (attempt.cost > step.threshold) return attempt;
-        if (const std::optional<float> penalty = EvaluateRing(state_, attempt.placement, star)) {
-            attempt.cost *= *penalty;
-            return attempt;
-        }
-        attempt.cost = kRefusedKey;
-        if (step.lastResort && !fixed) TryOtherPlacements(removed, survivor, step, attempt);
+        Place(removed, survivor, step, attempt);
         return attempt;
     }
 
-    void PlaceWithVolume(std::uint32_t removed, std::uint32_t survivor, Attempt& attempt) const
-    {
-        const EdgeEnd<float> a = state_.vertices[removed].End();
-        const EdgeEnd<float> b = state_.vertices[survivor].End();
-        const Vector3<float> half = HalfEdgeVector(a, b);
-        const Vector3<float> offset = VolumeAwareOffset(a, b, half, AreasOf(state_, workspace_.star));
-        attempt.placement = offset + half + a.position;
-        attempt.cost = EdgeCost(a, b, half, offset);
-    }
-
-    /// Where the surface around the edge is flat, or a straight crease, the end that costs less is the
-    /// placement, if the ring allows it. That keeps its coordinates to the last bit: a computed place lies in
-    /// no plane of the ring but for rounding, which tilts all faces around it, and again in every collapse
-    /// that follows.
-    bool StaysAtAnEnd(std::uint32_t removed, std::uint32_t survivor, Attempt& attempt)
-    {
-        const EdgeEnd<float> a = state_.vertices[removed].End();
-        const EdgeEnd<float> b = state_.vertices[survivor].End();
-        const float rounding = RoundingCost(a, b);
-        if (attempt.cost > rounding) return false;
-        const Vector3<float> half = HalfEdgeVector(a, b);
-        const float costA = EdgeCost(a, b, half, -1.0f * half), costB = EdgeCost(a, b, half, half);
-        const float cost = std::min(costA, costB);
-        if (cost > rounding) return false;
-        const Vector3<float> placement = costA < costB ? a.position : b.position;
-        const std::optional<float> penalty = EvaluateRing(state_, placement, workspace_.star);
-        if (!penalty || cost * *penalty > rounding) return false;
-        attempt.placement = placement;
-        attempt.cost = cost * *penalty;
-        attempt.atRemoved = costA < costB;
-        return true;
-    }
-
-    void TryOtherPlacements(std::uint32_t removed, std::uint32_t survivor, const SweepStep& step,
+    void TryOtherPlacements(const EdgeEnd<float>& a, const EdgeEnd<float>& b, const SweepStep& step,
                             Attempt& attempt)
     {
-        const EdgeEnd<float> a = state_.vertices[removed].End();
-        const EdgeEnd<float> b = state_.vertices[survivor].End();
         const Vector3<float> half = HalfEdgeVector(a, b);
-        const Vector3<float> offsets[] = {{0, 0, 0}, half, -1.0f * half};
-        for (const Vector3<float>& offset : offsets) {
+        for (const Vector3<float>& offset : OtherOffsets(half)) {
             const Vector3<float> placement = offset + half + a.position;
             const std::optional<float> penalty = EvaluateRing(state_, placement, workspace_.star);
             if (!penalty) continue;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The formulas of one edge collapse, each written once. They are templates on the number: the engine runs
-// them on Float4, four edges or faces at once, and on float; the tests compare both with double.
+// The formulas of one edge collapse and the table of their constants, each written once. They are templates
+// on the number: the engine runs them on Float4 and Float8, several edges or faces at once, and on float; the
+// queue-ordered collapse (vcg_ext/ordered) on double.
 //
 // Quadrics are centred at their vertex: q(d) = d^T M d + 2 b.d + c with d = x - p_v. The quadric of the
 // current star then has neither b nor c, and float loses nothing.
@@ -23,6 +24,18 @@ constexpr float kHistoryFloor = 0.35f;
 constexpr float kLengthCost = 1e-12f;
 /// Weight of the volume plane against the planes of the stars.
 constexpr float kVolumeWeight = 3.0f;
+/// Of the planes perpendicular to creases, against those of the border.
+constexpr float kCreaseWeight = 0.1f;
+/// cos^2 of 30 degrees: edges that turn farther are creases.
+constexpr float kCreaseCosine2 = 0.75f;
+/// cos^2 of 120 degrees: edges that turn farther are folds.
+constexpr float kFoldCosine2 = 0.25f;
+/// Folds that make their vertex the tip of a thin part.
+constexpr int kFoldsAtATip = 2;
+/// Of the planes perpendicular to a tip's folds.
+constexpr float kTipWeight = 0.7f;
+/// The descriptor that this part of the vertices stays below counts as 1.
+constexpr double kDescriptorPercentile = 0.999;
 /// Triangle quality (twice the area over the longest edge squared) below which a cost rises.
 constexpr float kPoorQuality = 0.03f;
 /// A surviving face must not turn farther than this cosine: 78 degrees.
@@ -44,6 +57,18 @@ struct CentredQuadric {
         return QuadraticForm(matrix, d) + 2.0f * Dot(linear, d) + constant;
     }
 };
+
+template <class Real>
+[[gnu::always_inline]] inline CentredQuadric<Real> operator+(const CentredQuadric<Real>& p,
+                                                             const CentredQuadric<Real>& q)
+{
+    return {p.matrix + q.matrix, p.linear + q.linear, p.constant + q.constant};
+}
+template <class Real>
+[[gnu::always_inline]] inline CentredQuadric<Real> operator*(const Real& s, const CentredQuadric<Real>& q)
+{
+    return {s * q.matrix, s * q.linear, s * q.constant};
+}
 
 /// The same quadric about the point that lies \p d away; a constant that rounding made negative becomes 0.
 template <class Real>
@@ -69,6 +94,14 @@ template <class Real>
 [[gnu::always_inline]] inline Real MidpointPull(const SymmetricMatrix3<Real>& m)
 {
     return Max(m.Trace() * kMidpointPull, Broadcast<Real>(kSmallestSquare));
+}
+
+/// A of the vertex at \p placement that both ends merge into.
+template <class Real>
+CentredQuadric<Real> MergedHistory(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                   const Vector3<Real>& placement)
+{
+    return Recentred(a.history, placement - a.position) + Recentred(b.history, placement - b.position);
 }
 
 /// Half the way from a to b.
@@ -116,10 +149,18 @@ template <class Real>
 /// The stars of both ends as areas with direction.
 template <class Real>
 struct StarAreas {
-    Vector3<Real> a;    ///< sum of 2 area n over the star of a
-    Vector3<Real> b;    ///< the same of b; the faces on the edge may be missing in both
-    Vector3<Real> both; ///< the same over the union of the stars
-    Real area;          ///< sum of 2 area over the union
+    Vector3<Real> a{};    ///< sum of 2 area n over the star of a, without the faces on the edge
+    Vector3<Real> b{};    ///< the same of b
+    Vector3<Real> edge{}; ///< the same over the faces on the edge
+    Real area{};          ///< sum of 2 area over all of them
+
+    /// Adds a face with m = \p scaledNormal. \param to a, b or edge
+    void Add(const Vector3<Real>& scaledNormal, Vector3<Real>& to)
+    {
+        const Real m2 = Dot(scaledNormal, scaledNormal);
+        to = to + Sqrt(m2) * scaledNormal;
+        area = area + m2;
+    }
 };
 
 /// OptimalOffset with the soft volume plane: of the union of the stars, with G the sum of 2 area n, the plane
@@ -135,63 +176,9 @@ template <class Real>
     // Both planes contain the middle of their own star's boundary; seen from the midpoint, their sum asks for
     // G.t = (G_b - G_a).half.
     const Real height = weight * Dot(areas.b - areas.a, half);
-    const SymmetricMatrix3<Real> matrix = ca + cb + weight * OuterProduct(areas.both);
-    return SolveRegularized(matrix, (cb - ca) * half + height * areas.both, MidpointPull(matrix));
-}
-
-/// m = n / sqrt|n| of a face with n = 2 area x unit normal: m m^T is 2 area times its plane's quadric. 0
-/// where the face has no area.
-inline Vector3<float> ScaledNormal(const Vector3<float>& p, const Vector3<float>& q, const Vector3<float>& r)
-{
-    const Vector3<float> n = Cross(q - p, r - p);
-    const float length = std::sqrt(Dot(n, n));
-    const float scale = length > 0 ? 1.0f / std::sqrt(length) : 0.0f;
-    return scale * n;
-}
-
-/// The quadric of the plane through the edge \p edge, perpendicular to the face of normal \p normal, times
-/// the squared length of the edge. 0 where there is no such plane.
-inline SymmetricMatrix3<float> PerpendicularPlane(const Vector3<float>& normal, const Vector3<float>& edge)
-{
-    const Vector3<float> d = Cross(normal, edge);
-    const float length2 = Dot(d, d);
-    const float scale = length2 > 0 ? Dot(edge, edge) / length2 : 0.0f;
-    return scale * OuterProduct(d);
-}
-
-/// Sums over the faces around a vertex for the descriptor of Eq. 5 and the star's quadric C.
-template <class Real>
-struct StarSums {
-    Vector3<Real> edges{};         ///< sum of v_j - v
-    Vector3<Real> normal{};        ///< sum of unit normals, weighted by the chord of the corner's angle
-    Real length{};                 ///< sum of |v_j - v|
-    SymmetricMatrix3<Real> star{}; ///< sum of m m^T
-
-    /// Adds a face with the edges \p a and \p b from the vertex and m = \p scaledNormal.
-    /// \param inverseRoot 1 / |m|; the direction of the normal is m / |m|
-    void Add(const Vector3<Real>& a, const Vector3<Real>& b, const Real& lengthA, const Real& lengthB,
-             const Vector3<Real>& scaledNormal, const Real& inverseRoot)
-    {
-        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Broadcast<Real>(kSmallestSquare));
-        const Real chord = Sqrt(Max(Real{}, 2.0f - 2.0f * cosine)) * inverseRoot;
-        edges = edges + (a + b);
-        normal = normal + chord * scaledNormal;
-        length = length + (lengthA + lengthB);
-        star = star + OuterProduct(scaledNormal);
-    }
-};
-
-/// The lanes of all sums added up.
-inline StarSums<float> Summed(const StarSums<Float4>& sums)
-{
-    return {SumLanes(sums.edges), SumLanes(sums.normal), SumLanes(sums.length), SumLanes(sums.star)};
-}
-
-/// Eq. 5: |sum of (v_j - v).n| / sum of |v_j - v|, in [0, 1]; 0 where there is no normal.
-inline float LaplacianDescriptor(const Vector3<float>& edges, const Vector3<float>& normal, float length)
-{
-    const float size = std::sqrt(Dot(normal, normal)) * length;
-    return size > 0 ? std::fabs(Dot(normal, edges)) / size : 0.0f;
+    const Vector3<Real> both = areas.a + areas.b + areas.edge;
+    const SymmetricMatrix3<Real> matrix = ca + cb + weight * OuterProduct(both);
+    return SolveRegularized(matrix, (cb - ca) * half + height * both, MidpointPull(matrix));
 }
 
 /// A face of the ring with the new vertex in it.
@@ -229,11 +216,12 @@ template <class Real>
 }
 
 /// The factor of a cost whose worst triangle has the squared quality \p worst2.
-inline float QualityPenalty(float worst2)
+template <class Real>
+Real QualityPenalty(Real worst2)
 {
-    constexpr float kPoor2 = kPoorQuality * kPoorQuality;
-    constexpr float kNoQuality2 = 1e-18f;
-    return worst2 >= kPoor2 ? 1.0f : std::sqrt(kPoor2 / std::max(worst2, kNoQuality2));
+    constexpr Real kPoor2 = kPoorQuality * kPoorQuality;
+    constexpr Real kNoQuality2 = 1e-18f;
+    return worst2 >= kPoor2 ? Real{1} : Sqrt(kPoor2 / std::max(worst2, kNoQuality2));
 }
 
 } // namespace vcg_ext

@@ -10,6 +10,7 @@
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/border_planes.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
 #include "vcg_ext/core/parameters.h"
 
@@ -21,14 +22,8 @@ namespace vcg_ext
 class SweepStarter
 {
     static constexpr std::size_t kGrain = 4096;
-    static constexpr float kCreaseWeight = 0.1f;           ///< of a crease's perpendicular planes
-    static constexpr float kCreaseCosine2 = 0.75f;         ///< cos^2 of 30 degrees: sharper is a crease
-    static constexpr float kFoldCosine2 = 0.25f;           ///< cos^2 of 120 degrees: sharper is a fold
-    static constexpr int kFoldsAtATip = 2;                 ///< folds that make their vertex the tip of one
-    static constexpr float kTipWeight = 0.7f;              ///< of the perpendicular planes of a tip's folds
     static constexpr float kFlatCosine2 = 0.9330127f;      ///< cos^2 of 15 degrees
     static constexpr std::uint32_t kMostSamples = 1 << 16; ///< for the percentile
-    static constexpr double kPercentile = 0.999;
 
     /// A star with its faces' corners written out, padded to whole vectors.
     struct Star {
@@ -60,7 +55,7 @@ class SweepStarter
             }
         });
         if (view_.fauxEdges != nullptr && view_.guidance == nullptr) TakePolygonDescriptor();
-        state_.descriptorScale = view_.guidance != nullptr ? 1.0f : DescriptorScale();
+        state_.descriptorScale = view_.guidance != nullptr ? 1.0f : DescriptorScale(DescriptorSample());
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) WeightVertex(v);
         });
@@ -130,8 +125,7 @@ class SweepStarter
             a = mask * (a - centre);
             b = mask * (b - centre);
             m = mask * m;
-            const Float4 inverseRoot = 1.0f / Sqrt(Max(Dot(m, m), Splat(kSmallestSquare)));
-            sums.Add(a, b, Sqrt(Dot(a, a)), Sqrt(Dot(b, b)), m, inverseRoot);
+            sums.Add(a, b, m);
         }
         return Summed(sums);
     }
@@ -163,10 +157,10 @@ class SweepStarter
             StartBorder(v, star, sums);
             history = sums.star;
         }
-        if (!IsFlat(star, sums.normal)) history = history + CreasePlanes(v, star);
+        if (!IsFlat(star, sums.normal)) history = history + CreasesOf(v, star);
         record.SetMatrix(VertexRecord::kStar, sums.star);
         record.SetHistory({history, {}, 0});
-        state_.descriptor[v] = LaplacianDescriptor(sums.edges, sums.normal, sums.length);
+        state_.descriptor[v] = StarDescriptor(sums);
     }
 
     /// Marks the vertex, counts each of its edges once in the descriptor and adds the border's planes.
@@ -180,8 +174,7 @@ class SweepStarter
         const auto add = [&](std::uint32_t w) {
             const Vector3<float> edge = state_.Position(w) - state_.Position(v);
             const float share = 1.0f / static_cast<float>(std::max(1, FacesOnEdge(state_, v, w)));
-            sums.edges = sums.edges + share * edge;
-            sums.length += share * std::sqrt(Dot(edge, edge));
+            sums.AddEdge(edge, share);
         };
         for (std::uint32_t i = 0; i < star.size; ++i) {
             add(star.next[i]);
@@ -190,13 +183,10 @@ class SweepStarter
         if (boundary_ != Boundary::Free) sums.star = sums.star + BorderPlanesAt(state_, v);
     }
 
-    /// Planes perpendicular to both faces of every edge at \p v with more than 30 degrees between them. Where
-    /// faces fold back on each other, at the tip of a thin part, these planes alone know the outline, as at a
-    /// border: the faces' own planes are all nearly the same.
-    SymmetricMatrix3<float> CreasePlanes(std::uint32_t v, const Star& star) const
+    /// Of every face at \p v and the first of those that share its outgoing edge.
+    SymmetricMatrix3<float> CreasesOf(std::uint32_t v, const Star& star) const
     {
-        SymmetricMatrix3<float> creases{}, folded{};
-        int folds = 0;
+        CreasePlanes<float> creases;
         std::vector<std::pair<std::uint32_t, std::uint32_t>> byPrevious(star.size);
         for (std::uint32_t i = 0; i < star.size; ++i) byPrevious[i] = {star.previous[i], star.face[i]};
         std::sort(byPrevious.begin(), byPrevious.end());
@@ -204,17 +194,10 @@ class SweepStarter
             const auto other = std::lower_bound(byPrevious.begin(), byPrevious.end(),
                                                 std::make_pair(star.next[i], std::uint32_t{0}));
             if (other == byPrevious.end() || other->first != star.next[i]) continue;
-            const Vector3<float> m = state_.faces[star.face[i]].Normal();
-            const Vector3<float> n = state_.faces[other->second].Normal();
-            const float product = Dot(m, n);
-            if (product >= 0 && product * product >= kCreaseCosine2 * Dot(m, m) * Dot(n, n)) continue;
-            const Vector3<float> edge = state_.Position(star.next[i]) - state_.Position(v);
-            const bool fold = product < 0 && product * product > kFoldCosine2 * Dot(m, m) * Dot(n, n);
-            SymmetricMatrix3<float>& sum = fold ? folded : creases;
-            sum = sum + (PerpendicularPlane(m, edge) + PerpendicularPlane(n, edge));
-            folds += fold;
+            creases.Add(state_.Position(star.next[i]) - state_.Position(v),
+                        state_.faces[star.face[i]].Normal(), state_.faces[other->second].Normal());
         }
-        return kCreaseWeight * creases + (folds < kFoldsAtATip ? kCreaseWeight : kTipWeight) * folded;
+        return creases.Sum();
     }
 
     /// The diagonals of polygons join no neighbours; they are known of the input only.
@@ -225,18 +208,13 @@ class SweepStarter
             state_.descriptor[v] = static_cast<float>(values[state_.origin[v]]);
     }
 
-    /// 1 / the 99.9 % percentile of the descriptor, from an even sample.
-    float DescriptorScale() const
+    std::vector<float> DescriptorSample() const
     {
         std::vector<float> sample;
         const std::uint32_t step = std::max(1u, state_.VertexCount() / kMostSamples);
         for (std::uint32_t v = 0; v < state_.VertexCount(); v += step)
             if (state_.cornerCount[v] > 0) sample.push_back(state_.descriptor[v]);
-        if (sample.empty()) return 1;
-        const std::ptrdiff_t place = std::lround(kPercentile * static_cast<double>(sample.size() - 1));
-        std::nth_element(sample.begin(), sample.begin() + place, sample.end());
-        const float top = sample[static_cast<std::size_t>(place)];
-        return top > 0 ? 1 / top : 1;
+        return sample;
     }
 
     void WeightVertex(std::size_t v)
@@ -244,8 +222,9 @@ class SweepStarter
         VertexRecord& record = state_.vertices[v];
         const float l = view_.guidance != nullptr ? view_.guidance[state_.origin[v]]
                                                   : state_.descriptor[v] * state_.descriptorScale;
-        state_.descriptor[v] = std::clamp(l, 0.0f, 1.0f);
-        const float weight = std::exp(state_.featureWeight * state_.descriptor[v]);
+        const Importance<float> importance = ImportanceOf(std::clamp(l, 0.0f, 1.0f), state_.featureWeight);
+        const float weight = importance.weight;
+        state_.descriptor[v] = importance.descriptor;
         record.value[VertexRecord::kWeight] = weight;
         record.SetMatrix(VertexRecord::kMatrix, weight * record.Matrix(VertexRecord::kMatrix));
     }

@@ -14,6 +14,7 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/arena.h"
 #include "vcg_ext/core/base/morton.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 

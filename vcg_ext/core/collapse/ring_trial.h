@@ -60,18 +60,13 @@ inline bool GatherStars(const SweepState& state, std::uint32_t removed, std::uin
 /// The areas that the volume plane needs, from the gathered stars.
 inline StarAreas<float> AreasOf(const SweepState& state, const StarScratch& star)
 {
-    Vector3<float> sum[3] = {};
-    float area = 0;
-    const auto add = [&](std::uint32_t face, Vector3<float>& to) {
-        const Vector3<float> m = state.faces[face].Normal();
-        const float m2 = Dot(m, m);
-        to = to + std::sqrt(m2) * m;
-        area += m2;
-    };
-    for (std::uint32_t i = 0; i < star.keptOfRemoved; ++i) add(FaceOf(star.corner[i]), sum[0]);
-    for (std::uint32_t i = star.keptOfRemoved; i < star.kept; ++i) add(FaceOf(star.corner[i]), sum[1]);
-    for (std::uint32_t i = 0; i < star.dead; ++i) add(star.deadFace[i], sum[2]);
-    return {sum[0], sum[1], sum[0] + sum[1] + sum[2], area};
+    StarAreas<float> areas;
+    const auto normal = [&](std::uint32_t face) { return state.faces[face].Normal(); };
+    for (std::uint32_t i = 0; i < star.keptOfRemoved; ++i) areas.Add(normal(FaceOf(star.corner[i])), areas.a);
+    for (std::uint32_t i = star.keptOfRemoved; i < star.kept; ++i)
+        areas.Add(normal(FaceOf(star.corner[i])), areas.b);
+    for (std::uint32_t i = 0; i < star.dead; ++i) areas.Add(normal(star.deadFace[i]), areas.edge);
+    return areas;
 }
 
 template <class Row>

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/collapse/cost.h"
 #include "vcg_ext/core/collapse/arena.h"
+#include "vcg_ext/core/collapse/star_sums.h"
 
 namespace vcg_ext
 {

@@ -77,8 +77,9 @@ OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, 
     std::vector<OneWay> parts((count + kGrain - 1) / kGrain);
     ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
         OneWay& part = parts[begin / kGrain];
+        ExactSurface::Search search;
         for (std::size_t i = begin; i < end; ++i) {
-            const double distance2 = to.Distance2(point(i));
+            const double distance2 = to.Distance2(point(i), search);
             part.sumOfSquares += distance2;
             part.largest2 = std::max(part.largest2, distance2);
         }
@@ -96,10 +97,11 @@ inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface&
 {
     std::vector<std::size_t> parts((simplified.FaceCount() + kGrain - 1) / kGrain);
     ParallelRanges(threads, simplified.FaceCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+        ExactSurface::Search search;
         for (std::size_t f = begin; f < end; ++f) {
             const Vector3<double> centroid =
                 (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
-            if (original.FacesAwayFrom(centroid, simplified.AreaVector(f))) ++parts[begin / kGrain];
+            if (original.FacesAwayFrom(centroid, simplified.AreaVector(f), search)) ++parts[begin / kGrain];
         }
     });
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0});

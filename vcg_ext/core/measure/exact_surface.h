@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/geometry/vector.h"
@@ -24,25 +26,9 @@ namespace vcg_ext
 /// several threads.
 class ExactSurface
 {
-    /// Faces that are measured before only those that are nearer than the nearest count: where hundreds
-    /// coincide the answer is the same within the rounding of single precision, and comes at once.
-    static constexpr int kMaxTies = 64;
-    /// Squared distances in the frame that are rounding even in double precision: 1e-12 of the diagonal.
-    static constexpr double kZero2 = 1e-18;
-
     const MeshView& view_;
     const FaceTree& tree_;
     double slack_;
-
-    /// \return the squared distance up to which the tree has to look, if the nearest face measured is at \p
-    /// nearest2
-    float Limit2(double nearest2, int measured) const
-    {
-        if (nearest2 <= kZero2) return -1;
-        if (measured > kMaxTies) return static_cast<float>(nearest2 * (1 - 1e-6));
-        const double reach = std::sqrt(nearest2) + slack_;
-        return static_cast<float>(std::min<double>(reach * reach, std::numeric_limits<float>::max()));
-    }
 
     double Distance2ToFace(std::size_t f, const Vector3<double>& p) const
     {
@@ -78,34 +64,53 @@ class ExactSurface
         return Cross(Corner(f, 1) - a, Corner(f, 2) - a);
     }
 
+    /// What one thread needs for its queries. Queries that follow each other should be close to each other.
+    struct Search {
+        std::vector<FaceTree::Candidate> found;
+        std::optional<std::uint32_t> last; ///< the closest face of the query before
+    };
+
     /// Squared distance of \p p to the surface.
-    double Distance2(const Vector3<double>& p) const
+    double Distance2(const Vector3<double>& p, Search& search) const
     {
+        FindClosest(p, search);
         double nearest2 = std::numeric_limits<double>::infinity();
-        int measured = 0;
-        tree_.ForEachWithin(Rounded(p), std::numeric_limits<float>::max(), [&](std::uint32_t face) {
-            nearest2 = std::min(nearest2, Distance2ToFace(face, p));
-            return Limit2(nearest2, ++measured);
-        });
+        for (const FaceTree::Candidate& candidate : search.found) {
+            const double distance2 = Distance2ToFace(candidate.face, p);
+            if (!(distance2 < nearest2)) continue;
+            nearest2 = distance2;
+            search.last = candidate.face;
+        }
         return nearest2;
     }
 
     /// Whether the face closest to \p p is turned by more than 90 degrees against \p direction. Of several
     /// that are equally close, as on both sides of an edge, one that is not is enough.
-    bool FacesAwayFrom(const Vector3<double>& p, const Vector3<double>& direction) const
+    bool FacesAwayFrom(const Vector3<double>& p, const Vector3<double>& direction, Search& search) const
     {
-        constexpr double kTie = 1 + 1e-9;
+        constexpr double kTie = 1 + 1e-9; // of squared distances in double precision
+        constexpr double kZero2 = 1e-18;  // 1e-12 of the diagonal, squared
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         double along2 = kInfinity, away2 = kInfinity;
-        int measured = 0;
-        tree_.ForEachWithin(Rounded(p), std::numeric_limits<float>::max(), [&](std::uint32_t face) {
-            double& side2 = Dot(AreaVector(face), direction) < 0 ? away2 : along2;
-            side2 = std::min(side2, Distance2ToFace(face, p));
-            // a face that looks along ends the search where it cannot be beaten
-            if (along2 <= kZero2) return -1.0F;
-            return Limit2(std::max(std::min(along2, away2), 2 * kZero2), ++measured);
-        });
+        FindClosest(p, search);
+        for (const FaceTree::Candidate& candidate : search.found) {
+            double& side2 = Dot(AreaVector(candidate.face), direction) < 0 ? away2 : along2;
+            const double distance2 = Distance2ToFace(candidate.face, p);
+            if (distance2 < std::min(along2, away2)) search.last = candidate.face;
+            side2 = std::min(side2, distance2);
+        }
         return away2 * kTie + kZero2 < along2;
+    }
+
+  private:
+    void FindClosest(const Vector3<double>& p, Search& search) const
+    {
+        double limit2 = std::numeric_limits<float>::max();
+        if (search.last) {
+            const double reach = std::sqrt(Distance2ToFace(*search.last, p)) + slack_;
+            limit2 = std::min(limit2, reach * reach);
+        }
+        tree_.FindClosest(Rounded(p), static_cast<float>(slack_), static_cast<float>(limit2), search.found);
     }
 };
 

@@ -147,17 +147,36 @@ class FaceTree
         return closest;
     }
 
-    /// Calls visit(face), near ones first, for every face whose squared distance is at most what the last
-    /// call returned, and some that are farther; one face may come twice. \param limit2 for the first call
-    template <class Visit>
-    void ForEachWithin(const Vector3<float>& point, float limit2, const Visit& visit) const
+    /// A face that may be the closest one.
+    struct Candidate {
+        float distance2;
+        std::uint32_t face;
+    };
+
+    /// The faces that are at most \p slack farther from \p point than the closest one, among them that one;
+    /// of many that are equally far the first kMaxCandidates.
+    /// \param limit2 squared distance to some face of the surface, slack included, if one is known: that
+    /// saves most of the time \param found is overwritten
+    void FindClosest(const Vector3<float>& point, float slack, float limit2,
+                     std::vector<Candidate>& found) const
     {
+        found.clear();
+        float nearest2 = kFar;
         Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
             const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
-            for (std::size_t lane = 0; lane < kLanes; ++lane)
-                if (distance2[lane] <= limit2) limit2 = visit(indices[lane]);
-            return limit2;
+            const float here2 = MinLane(distance2);
+            if (here2 < nearest2) {
+                nearest2 = here2;
+                const float reach = std::sqrt(here2) + slack;
+                limit2 = std::min(limit2, reach * reach);
+            }
+            for (std::size_t lane = 0; lane < kLanes && found.size() < kMaxCandidates; ++lane)
+                if (distance2[lane] <= limit2) found.push_back({distance2[lane], indices[lane]});
+            if (found.size() < kMaxCandidates) return limit2;
+            DropFar(found, limit2);
+            return found.size() < kMaxCandidates ? limit2 : -1; // too many are equally far
         });
+        DropFar(found, limit2);
     }
 
     /// Squared distance to the surface.
@@ -181,6 +200,14 @@ class FaceTree
     }
 
   private:
+    static constexpr std::size_t kMaxCandidates = 64;
+
+    static void DropFar(std::vector<Candidate>& found, float limit2)
+    {
+        const auto isFar = [&](const Candidate& c) { return !(c.distance2 <= limit2); };
+        found.erase(std::remove_if(found.begin(), found.end(), isFar), found.end());
+    }
+
     std::size_t LeafCount() const { return (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; }
 
     /// In Morton order of their first corners.
