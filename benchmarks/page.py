@@ -19,40 +19,41 @@ from timing import busy_cores
 HEAD = """<!-- Written by scripts/benchmark; changes by hand are lost. -->
 # Benchmark
 
-`scripts/benchmark` measured everything on this page and wrote it; anyone can run it again ({command}).
+`scripts/benchmark` measured everything on this page and wrote the page; anyone can run it again ({command}).
 Ratios below 1 mean that this project is ahead; **bold** figures mean that it is not.
 """
 
 DEFINITIONS = """## What is measured
 
-All tools get the same mesh: vertices at the same place united, float32 coordinates. All results are measured by
-[one tool](../tests/benchmark/metrics.py) with libigl's exact distances from points to meshes ({samples:,} samples by
-area on either side, fixed seed), in percent of the diagonal of the original's bounding box:
+All tools get the same mesh, with float32 coordinates and with vertices at the same position merged. All results are
+measured by [one tool](../benchmarks/metrics.py) with libigl's exact distances from points to meshes ({samples:,}
+samples on either side, distributed by area, fixed seed), in percent of the diagonal of the original's bounding box:
 
 - **rms** √((F + B)/2), F and B the mean squared distances original → simplified and back;
 - **feature rms** original → simplified at the tenth of the original's vertices with the largest Laplacian descriptor;
-- **Hausdorff** the largest distance both ways, over the samples and all vertices;
-- **normal deviation** the mean angle between the normals at a sample and at its closest point, both ways;
-- **folded faces** faces whose normal is more than 90° from the original's at the point closest to their centroid;
-- **perceptual difference** how different both look, from 0 to 1: curvature between closest points compared by mean,
-  deviation and structure in small neighbourhoods, [after Lavoué's MSDM2](../tests/benchmark/perceptual.py).
+- **Hausdorff** the largest distance in both directions, over the samples and all vertices;
+- **normal deviation** the mean angle between the normals at a sample and at its closest point, in both directions;
+- **folded faces** faces whose normal differs by more than 90° from the original's at the point closest to their
+  centroid;
+- **perceptual difference** how different both surfaces look, from 0 to 1: the curvatures at closest points, compared by
+  mean, deviation and structure in small neighborhoods, [after Lavoué's MSDM2](../benchmarks/perceptual.py).
 
-In ratios to CGAL's tools two distances below 0.001 % count as equal. Groups: {groups}. {origin}
+In ratios to CGAL's tools, two distances below 0.001 % count as equal. Groups: {groups}. {origin}
 """
 
 MODELS_ORIGIN = (
-    "These public test models are not part of the project;\n`--meshes FOLDER` tells where they are. Folded faces and "
+    "These public test models are not part of the project;\n`--meshes FOLDER` names their folder. Folded faces and "
     "topology are also counted on the other meshes of that folder and on [sample_meshes](../sample_meshes)."
 )
 
 SAMPLES_ORIGIN = (
-    "**These are not the public test models for which the aims\nwere set**: `--meshes FOLDER` tells where those are "
-    "({models})."
+    "**These are not the public test models for which the aims\nwere set**: `--meshes FOLDER` names the folder "
+    "of those ({models})."
 )
 
 QUICK = """
-**A quick run: few meshes, four peers, small meshes where a million faces are meant.** It shows that everything works;
-its figures say little about the aims.
+**This was a quick run: few meshes, four peers, and small meshes in place of those with a million faces.** It shows that
+everything works; its figures say little about the aims.
 """
 
 LOOKS = (
@@ -61,27 +62,27 @@ LOOKS = (
 )
 
 TIMES = (
-    "Every run is a process of its own, held to as many cores as the tool is asked for threads: one, unless it says "
-    "two. Times are of the simplification alone, without reading the mesh and handing it over. Peak memory is counted "
-    "above the loaded mesh."
+    "Every run is a separate process that is limited to as many cores as the tool uses threads: one, unless the table "
+    "says two. Times are those of the simplification alone, without reading the mesh and handing it over. Peak memory "
+    "is counted on top of the loaded mesh."
 )
 
 PAIRS = (
-    "Two tools take turns, each first in every other pair; figures are the tool's time as a part of the other's: the "
-    "median and range of the ratios inside the pairs, and the least time over the least. Others' cores: how many cores "
-    "other programs kept busy meanwhile, which slows two threads more than one."
+    "Two tools take turns; each is first in every other pair. The figures are ratios of the tool's time to the "
+    "other's: the median and range over the pairs, and the ratio of the least times. Others' cores: the number of "
+    "cores that other programs kept busy meanwhile, which slows two threads more than one."
 )
 
 TRAPS = """## Several names, one implementation
 
-- MeshLab, meshlabserver and pymeshlab run one VCG quadric decimation. PyVista's `decimate` and `decimate_pro` are
+- MeshLab, meshlabserver and pymeshlab run the same VCG quadric decimation. PyVista's `decimate` and `decimate_pro` are
   VTK's; PyVista's and trimesh's fast simplification is the package fast-simplification, which wraps sp4cerat's code.
-- The wrapper of meshoptimizer on PyPI stops at an error of 0.01 unless told otherwise, and holds an older version than
-  the crate; here meshoptimizer is called directly, with any error allowed.
-- CGAL's meshes have no non-manifold vertices: such vertices are split before its clock starts.
-- vtkDecimatePro with topology kept, and meshoptimizer where nothing more may collapse, stop above the target: see the
-  column of targets missed.
-- bpy and pymeshlab cannot share a process; every tool runs in its own.
+- The wrapper of meshoptimizer on PyPI stops at an error of 0.01 unless told otherwise, and contains an older version
+  than the crate; here meshoptimizer is called directly, with any error allowed.
+- CGAL's meshes cannot have non-manifold vertices: such vertices are split before the time is taken.
+- vtkDecimatePro with topology kept, and meshoptimizer if nothing more may collapse, stop above the target: see the
+  column of missed targets.
+- bpy and pymeshlab cannot share a process, so every tool runs in its own.
 """
 
 
@@ -115,14 +116,14 @@ def geometry_lines(section: dict) -> list[str]:
         "## Geometry against the best open peers",
         "",
         "Geometric-mean ratios to CGAL's Lindstrom–Turk with bounded normal change: rms/feature rms/Hausdorff/normal "
-        "deviation. Bold: one of the first three loses to Lindstrom–Turk or to Garland–Heckbert.",
+        "deviation. Bold: worse than Lindstrom–Turk or Garland–Heckbert in one of the first three.",
         "",
         *geometry.group_table(section),
         "",
         "## All tools",
         "",
         "Over all meshes and percentages of both groups, ratios to CGAL's Lindstrom–Turk: geometric means, for rms "
-        "also median and range over the runs; faults are sums. CPU time is the sum of single runs.",
+        "also median and range over the runs; faults are sums. CPU times are added up before their ratio is taken.",
         "",
         *geometry.tool_table(section),
         "",
@@ -161,8 +162,8 @@ def speed_lines(sections: dict) -> list[str]:
             f"### All tools on {tools['faces']:,} faces ({speed.input_name(tools['mesh'])}), to {tools['percent']:g} %",
             "",
             "Medians over rounds in which the tools take turns; ratios are taken inside a round (median, range). "
-            f"Others kept {busy_cores(*rounds):.1f} cores busy. A tool that was stopped shows after how many processor "
-            "seconds, its start and reading the mesh included.",
+            f"Other programs kept {busy_cores(*rounds):.1f} cores busy. For a tool that was stopped, the table shows "
+            "after how many processor seconds, including its start and reading the mesh.",
             "",
             *speed.speed_table(tools, "meshoptimizer_debian"),
             "",
@@ -216,7 +217,7 @@ def picture_lines(pictures: dict) -> list[str]:
     if not pictures:
         return []
     lines = ["## Where the error is", ""]
-    lines += ["The originals, coloured by their distance to each result; one scale a picture.", ""]
+    lines += ["The originals, colored by their distance to each result; one color scale per picture.", ""]
     for name, picture in pictures.items():
         lines += [picture["text"], "", f"![Error maps of {name}](images/benchmark/{name}.png)", ""]
     return lines

@@ -154,7 +154,7 @@ def engine_aims(sections: dict) -> list[Aim]:
     for tool, other, text in (("engine_fast", MESHOPTIMIZER, "engine fast"), ("fast", HOST, "fast in pymeshlab")):
         rounds = pair_rounds(speed, large, tool, other)
         peak = medians(rounds[0])["peak_bytes"] / speed["pairs"][large]["faces"] if rounds else None
-        aims.append(Aim(f"{text}, peak bytes a face above the loaded mesh", 160, peak))
+        aims.append(Aim(f"{text}, peak bytes per face on top of the loaded mesh", 160, peak))
     growth = sections.get("growth", {})
     factor = growth_factor(growth, "engine_fast") if growth.get("rows") else None
     largest = f" to {growth['rows'][-1]['faces']:,}" if factor else " to 16 million"
@@ -169,13 +169,13 @@ def array_descriptor_aims(descriptor: dict) -> list[Aim]:
         if line.startswith(ARRAYS_ROW):
             figures = line.removeprefix(ARRAYS_ROW).replace(" x", "").split()
             nanoseconds, least, times, least_times = map(float, figures)
-    texts = ("descriptor on arrays, nanoseconds a face", "the same, × VCG's mean curvature")
+    texts = ("descriptor on arrays, nanoseconds per face", "the same, × VCG's mean curvature")
     if nanoseconds is None:
         return [Aim(texts[0], 15, None), Aim(texts[1], 1 / 15, None)]
     busy = f"others kept {descriptor['arrays']['others']:.1f} cores busy"
     return [
         Aim(texts[0], 15, nanoseconds, f"least {least:.3g}; {busy}"),
-        Aim(texts[1], 1 / 15, 1 / times, f"least over least {1 / least_times:.3g}"),
+        Aim(texts[1], 1 / 15, 1 / times, f"ratio of the least times {1 / least_times:.3g}"),
     ]
 
 
@@ -200,14 +200,14 @@ def further_aims(sections: dict) -> list[Aim]:
         figures = descriptor_ratios(host)
         milliseconds = [1e9 * seconds / host["faces"] for seconds in figures["own"]]
         times, note = figures["times"], f"others kept {host['others']:.1f} cores busy"
-    own = "descriptor in pymeshlab, ms for a million faces"
+    own = "descriptor in pymeshlab, ms per million faces"
     aims = [
         Aim(own, 100, milliseconds and milliseconds[0], milliseconds and f"least {milliseconds[1]:.3g}; {note}" or ""),
         Aim(
             "the same, × MeshLab's mean curvature",
             1 / 5,
             times and 1 / times[0],
-            times and f"least over least {1 / times[1]:.3g}" or "",
+            times and f"ratio of the least times {1 / times[1]:.3g}" or "",
         ),
     ]
     for axis, text, bound in (("rms", "rms", 0.5), ("feature_rms", "feature rms", 0.7)):
@@ -241,8 +241,8 @@ def aim_lines(sections: dict) -> list[str]:
     lines = [
         "## Aims",
         "",
-        f"{sum(aim.met for aim in aims)} of {len(aims)} are met; bold figures miss their bound.{unmeasured} "
-        "Ratios of time are medians over pairs of runs. Strict is effort fast in the order strict.",
+        f"{sum(aim.met for aim in aims)} of {len(aims)} aims are met; bold figures miss their bound.{unmeasured} "
+        'Ratios of time are medians over pairs of runs. "strict" is effort fast with order strict.',
         "",
     ]
     for subject, found in subjects.items():

@@ -87,7 +87,7 @@ def pair_rounds(speed: dict, mesh: str, tool: str, reference: str) -> tuple[list
 
 
 def growth_table(growth: dict) -> list[str]:
-    """Nanoseconds and peak bytes a face, from small to large meshes."""
+    """Nanoseconds and peak bytes per face, from small to large meshes."""
     peer_ids = list(growth["rows"][0]["figures"])
     head = [f"{tool_name(peer_id)}: ns/face | B/face" for peer_id in peer_ids]
     lines = ["| faces | " + " | ".join(head) + " |", "|---" * (2 * len(peer_ids) + 1) + "|"]
@@ -134,14 +134,14 @@ def descriptor_lines(descriptor: dict) -> list[str]:
         host, figures = descriptor["host"], descriptor_ratios(descriptor["host"])
         own, other = ([1e3 * seconds for seconds in figures[name]] for name in ("own", "other"))
         lines.append(
-            f"In pymeshlab, {host['faces']:,} faces, one thread, beyond a filter that does nothing: the descriptor "
-            f"takes {own[0]:.0f} ms (median of {len(host['seconds']['nothing'])} rounds; least {own[1]:.0f}), "
-            f"MeshLab's mean curvature {other[0]:.0f} ms (least {other[1]:.0f}): {figures['times'][0]:.1f} times as "
-            f"long (median of the rounds; least over least {figures['times'][1]:.1f}). "
-            f"Others kept {host['others']:.1f} cores busy."
+            f"In pymeshlab, on {host['faces']:,} faces with one thread, and without the time of a filter that does "
+            f"nothing, the descriptor takes {own[0]:.0f} ms (median of {len(host['seconds']['nothing'])} rounds; least "
+            f"{own[1]:.0f}) and MeshLab's mean curvature {other[0]:.0f} ms (least {other[1]:.0f}): "
+            f"{figures['times'][0]:.1f} times as long (median of the rounds; ratio of the least times "
+            f"{figures['times'][1]:.1f}). Other programs kept {host['others']:.1f} cores busy."
         )
     if "arrays" in descriptor:
         arrays = descriptor["arrays"]
-        lines += ["", f"Without a host; others kept {arrays['others']:.1f} cores busy:", ""]
+        lines += ["", f"Without a host; other programs kept {arrays['others']:.1f} cores busy:", ""]
         lines += ["```", *arrays["report"].splitlines(), "```"]
     return lines

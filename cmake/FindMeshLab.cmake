@@ -13,8 +13,6 @@
 # the "d" of double builds), MeshLab_API (2020 or 2022: the plugin interface that the version speaks).
 # A combination that the program would refuse, or crash on, is refused here.
 
-set(LAPLACIAN_SIMPLIFY_HOST "" CACHE STRING "Name of a host that scripts/hosts has fetched")
-set(MESHLAB_SOURCE_DIR "" CACHE PATH "MeshLab source tree with its vcglib")
 set(MESHLAB_COMMON_LIBRARY "" CACHE FILEPATH "libmeshlab-common.so of the MeshLab that loads the plugin")
 set(MESHLAB_SCALAR "float" CACHE STRING "Scalar type of that MeshLab: float or double")
 set_property(CACHE MESHLAB_SCALAR PROPERTY STRINGS float double)

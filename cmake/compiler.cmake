@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What every target of this project is compiled with: one standard, one set of warnings, and arithmetic that
-# gives the same bits on every processor of an architecture (no -march=native, no contraction of a*b + c).
+# What this project's own programs are compiled with beside what its headers ask of everybody
+# (vcg_ext/CMakeLists.txt): warnings, sanitizers, and no -march=native, so that every processor of an architecture
+# gives the same bits.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -22,10 +23,9 @@ endif()
 
 add_library(project_options INTERFACE)
 target_compile_options(project_options INTERFACE
-    -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wconversion
-    $<$<BOOL:${LAPLACIAN_SIMPLIFY_WARNINGS_AS_ERRORS}>:-Werror>)
+    -Wall -Wextra -Wshadow -Wconversion $<$<BOOL:${LAPLACIAN_SIMPLIFY_WARNINGS_AS_ERRORS}>:-Werror>)
 if(LAPLACIAN_SIMPLIFY_SANITIZE)
     target_compile_options(project_options INTERFACE
-        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-    target_link_options(project_options INTERFACE -fsanitize=address,undefined)
+        -fsanitize=${LAPLACIAN_SIMPLIFY_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(project_options INTERFACE -fsanitize=${LAPLACIAN_SIMPLIFY_SANITIZE})
 endif()

@@ -12,7 +12,7 @@
 #include "guidance.h"
 #include "host.h"
 #include "number_text.h"
-#include "progress.h"
+#include "vcg_ext/core/base/progress.h"
 #include "results.h"
 #include "stopwatch.h"
 #include "values.h"
@@ -30,8 +30,8 @@ inline std::string ListText(const std::vector<double>& values)
     return text;
 }
 
-/// Selects the features and nothing else; with \p classAsQuality the class of every vertex becomes its
-/// quality.
+/// Selects the features and nothing else; with \p classAsQuality the quality of every vertex becomes its
+/// class. \returns the number of selected vertices
 template <class Mesh>
 std::size_t StoreClasses(Mesh& mesh, const vcg_ext::FeatureClasses& classes, bool classAsQuality)
 {
@@ -65,7 +65,7 @@ Report ApplyFeatureSelection(Host& host, const Values& values)
     const std::vector<double> descriptor = DescriptorValues(mesh, values.Integer("descriptor"), 0);
     const vcg_ext::MeshArrays arrays(mesh);
     const auto classes = vcg_ext::ClassifyFeatures(arrays.View(), descriptor, parameters);
-    if (!host.Progress(90, "Feature vertices")) throw Cancelled();
+    if (!host.Progress(90, "Feature vertices")) throw vcg_ext::Cancelled();
 
     const bool classAsQuality = values.Boolean("class_as_quality");
     host.Require(classAsQuality ? kVertexSelection | kVertexQuality : kVertexSelection);
@@ -79,9 +79,10 @@ Report ApplyFeatureSelection(Host& host, const Values& values)
     report.SetCount("promoted", classes.promoted.size());
     report.SetCount("selected", selected);
     report.Set("seconds", stopwatch.Seconds());
-    host.Log(std::to_string(selected) + " of " + std::to_string(mesh.vn) + " vertices are features, " +
-             std::to_string(classes.promoted.size()) + " of them promoted by the refinement; thresholds " +
-             ListText(clusters.thresholds) + ", class centers " + ListText(clusters.centers));
+    host.Log(CountText(selected) + " of " + CountText(static_cast<std::size_t>(mesh.vn)) +
+             " vertices are features (" + CountText(classes.promoted.size()) +
+             " added by the refinement); thresholds: " + ListText(clusters.thresholds) +
+             "; class centers: " + ListText(clusters.centers));
     return report;
 }
 

@@ -14,7 +14,7 @@
 
 #include <vcg/complex/complex.h>
 
-#include "decimation_words.h"
+#include "decimation_summary.h"
 #include "guidance.h"
 #include "host.h"
 #include "progress.h"
@@ -25,15 +25,14 @@
 namespace laplacian_simplify
 {
 
-/// The faces that the whole mesh shall have. The user's numbers are about the selection where only that is
-/// decimated.
-/// \throws std::invalid_argument where only the selection is asked for and there is none
+/// The number of faces that the whole mesh should have. If only the selection is decimated, the user's target
+/// refers to the selected faces.
+/// \throws std::invalid_argument if only the selection should be decimated and no face is selected
 inline std::size_t TargetFaces(const Values& values, const MeshFacts& facts)
 {
     const bool selectedOnly = values.Boolean("selected_only");
     if (selectedOnly && facts.selectedFaces == 0)
-        throw std::invalid_argument("selected_only = true, but none of the " + std::to_string(facts.faces) +
-                                    " faces is selected");
+        throw std::invalid_argument("selected_only = true, but no face is selected");
     const std::size_t decimated = selectedOnly ? facts.selectedFaces : facts.faces;
     const double percent = values.Real("target_percent");
     const auto target =
@@ -42,18 +41,18 @@ inline std::size_t TargetFaces(const Values& values, const MeshFacts& facts)
     return facts.faces - decimated + std::max<std::size_t>(target, 1);
 }
 
-/// Makes the indices of \p result those of a copy of \p mesh, from which deleted vertices were left out.
+/// Turns the vertex indices of \p result into those of a copy of \p mesh without deleted vertices.
 template <class Mesh>
 void RenumberForCompactCopy(const Mesh& mesh, vcg_ext::DecimatedMesh& result)
 {
-    std::vector<std::uint32_t> place(mesh.vert.size());
+    std::vector<std::uint32_t> indexInCopy(mesh.vert.size());
     std::uint32_t next = 0;
     for (std::size_t v = 0; v < mesh.vert.size(); ++v)
-        if (!mesh.vert[v].IsD()) place[v] = next++;
-    for (std::uint32_t& origin : result.vertexOrigin) origin = place[origin];
+        if (!mesh.vert[v].IsD()) indexInCopy[v] = next++;
+    for (std::uint32_t& origin : result.vertexOrigin) origin = indexInCopy[origin];
 }
 
-/// What there is to say where the mesh has no more faces than wanted: nothing is done.
+/// The report if the mesh already has no more faces than the target: nothing is done.
 template <class Mesh>
 vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
 {
@@ -64,11 +63,11 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
     report.vertices = static_cast<std::size_t>(mesh.vn);
     report.targetReached = true;
     report.edges = vcg_ext::CountEdges(view.faceCount, [&](std::size_t f) { return view.triangles + 3 * f; });
-    if (measureError) report.distances.emplace(); // both surfaces are the same: all distances are 0
+    if (measureError) report.distances.emplace(); // the surfaces are identical: all distances are 0
     return report;
 }
 
-/// Puts a result into the current mesh, or into a copy of it in a new layer.
+/// Writes a result to the current mesh, or to a copy of it in a new layer.
 template <class Host>
 void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer)
 {
@@ -80,12 +79,12 @@ void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer)
     host.GeometryChanged();
 }
 
-/// What every decimation filter does around its collapse: target, progress, result, report and log.
-/// \param collapse called with the faces to keep and the progress, returns a vcg_ext::Decimation; not called
-///        where the mesh has no more faces than that
-template <class Host, class Collapse>
+/// What every decimation filter does besides its collapses: target, progress, result, report and log.
+/// \param simplify called with the number of faces to keep and the progress, returns a
+///        vcg_ext::Simplification; not called if the mesh has no more faces than that
+template <class Host, class Simplify>
 Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, bool newLayer,
-                           const Collapse& collapse)
+                           const Simplify& simplify)
 {
     const Stopwatch stopwatch;
     const MeshFacts facts = FactsOf(host.Mesh());
@@ -95,18 +94,19 @@ Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, 
         report = ReportUnchanged(host.Mesh(), measureError);
         if (newLayer) host.ContinueOnCopy();
     } else {
-        CalmProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
-        vcg_ext::Decimation decimation = collapse(target, vcg_ext::Progress(std::ref(progress)));
+        ThrottledProgress progress(
+            [&](int percent, const char* stage) { return host.Progress(percent, stage); });
+        vcg_ext::Simplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
         report = decimation.report;
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
             Commit(host, std::move(decimation.mesh), newLayer);
     }
-    report.vertices = static_cast<std::size_t>(host.Mesh().vn); // with those that are on no face
+    report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
-    for (const std::string& line : WordsOf(report, target)) host.Log(line);
-    return NumbersOf(report);
+    for (const std::string& line : LogLines(report, target)) host.Log(line);
+    return ToReport(report);
 }
 
 /// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".

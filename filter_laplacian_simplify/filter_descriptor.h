@@ -14,7 +14,7 @@
 #include "host.h"
 #include "number_text.h"
 #include "percentiles.h"
-#include "progress.h"
+#include "vcg_ext/core/base/progress.h"
 #include "results.h"
 #include "stopwatch.h"
 #include "values.h"
@@ -23,14 +23,14 @@
 namespace laplacian_simplify
 {
 
-/// What is said about a set of values.
+/// What the report and the log say about a set of values.
 struct Statistics {
     std::size_t count;
     double minimum, maximum, mean, percentile99_9;
-    double lowestTenth, highestTenth; ///< a tenth of the values lies below, above
+    double lowestTenth, highestTenth; ///< a tenth of the values lies below the one, above the other
 };
 
-/// \param withTenths fills the last two \pre not empty
+/// \param withTenths also fills the last two \pre not empty
 inline Statistics Describe(const std::vector<double>& values, bool withTenths)
 {
     const Percentiles percentile(values);
@@ -47,8 +47,8 @@ inline Statistics Describe(const std::vector<double>& values, bool withTenths)
     return statistics;
 }
 
-/// Stores one value for each element of mesh.vert as quality, and as colour where asked for.
-/// The host's own curvature filter leaves a tenth at either end out of its ramp, too.
+/// Stores one value for each element of mesh.vert as quality and optionally as color. Like the ramp of the
+/// host's own curvature filter, the color ramp excludes a tenth of the values at either end.
 template <class Mesh>
 void StoreAsQuality(Mesh& mesh, const std::vector<double>& values, const std::vector<bool>& inScope,
                     bool colorize, const Statistics& statistics)
@@ -63,7 +63,7 @@ void StoreAsQuality(Mesh& mesh, const std::vector<double>& values, const std::ve
     }
 }
 
-/// Filter "Laplacian Shape Descriptor": vertex quality, and colour where asked for.
+/// Filter "Laplacian Shape Descriptor": vertex quality and optionally color.
 template <class Host>
 Report ApplyShapeDescriptor(Host& host, const Values& values)
 {
@@ -79,7 +79,7 @@ Report ApplyShapeDescriptor(Host& host, const Values& values)
     for (std::size_t v = 0; v < descriptor.size(); ++v)
         if (inScope[v]) changed.push_back(descriptor[v]);
     const Statistics statistics = Describe(changed, colorize);
-    if (!host.Progress(90, "Laplacian shape descriptor")) throw Cancelled();
+    if (!host.Progress(90, "Laplacian shape descriptor")) throw vcg_ext::Cancelled();
 
     host.Require(colorize ? kVertexQuality | kVertexColor : kVertexQuality);
     StoreAsQuality(mesh, descriptor, inScope, colorize, statistics);
@@ -91,9 +91,9 @@ Report ApplyShapeDescriptor(Host& host, const Values& values)
     report.Set("percentile_99_9", statistics.percentile99_9);
     report.Set("seconds", stopwatch.Seconds());
     host.Log(std::string(vcg_ext::kDescriptors[static_cast<std::size_t>(kind)].name) + " of " +
-             std::to_string(statistics.count) + " vertices: from " + RoundedText(statistics.minimum, 4) +
-             " to " + RoundedText(statistics.maximum, 4) + ", mean " + RoundedText(statistics.mean, 4) +
-             ", 99.9 % not above " + RoundedText(statistics.percentile99_9, 4));
+             CountText(statistics.count) + " vertices: from " + RoundedText(statistics.minimum, 4) + " to " +
+             RoundedText(statistics.maximum, 4) + ", mean " + RoundedText(statistics.mean, 4) +
+             ", 99.9th percentile " + RoundedText(statistics.percentile99_9, 4));
     return report;
 }
 

@@ -18,12 +18,12 @@
 namespace laplacian_simplify
 {
 
-/// Runs a filter on the host's current mesh. The compiler asks here for the function of a new row.
-/// \throws std::exception with a sentence for the user; the mesh is then as it was
+/// Runs a filter on the host's current mesh. A new filter needs a case here; the compiler warns if it is
+/// missing. \throws std::exception with a sentence for the user; the mesh is then unchanged
 template <class Host>
 Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
 {
-    const vcg_ext::ThreadsOfRun threads; // ends them with the run
+    const vcg_ext::ThreadsOfRun threads; // they end with the run
     const Values values(
         filter, [&] { return FactsOf(host.Mesh()); }, given);
     RequireUsable(host.Mesh());
@@ -39,7 +39,7 @@ Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
     case FilterId::UmbrellaSmooth:
         return ApplyUmbrellaSmooth(host, values);
     }
-    throw std::logic_error("a filter without a function");
+    throw std::logic_error("this filter has no function");
 }
 
 } // namespace laplacian_simplify

@@ -25,10 +25,10 @@
 namespace laplacian_simplify
 {
 
-/// How much a mesh has been changed by moving its vertices.
+/// How far the vertices of a mesh have moved.
 struct Movement {
     std::size_t moved = 0;
-    double largest = 0;  ///< length
+    double largest = 0;  ///< distance
     double diagonal = 0; ///< of the bounding box before
 };
 
@@ -60,7 +60,7 @@ Report ApplyUmbrellaSmooth(Host& host, const Values& values)
 {
     const Stopwatch stopwatch;
     auto& mesh = host.Mesh();
-    CalmProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
+    ThrottledProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
     const std::vector<bool> inScope = VerticesInScope(mesh, values.Boolean("selected_only"));
     const std::vector<std::uint8_t> movable(inScope.begin(), inScope.end());
     vcg_ext::SmoothingParameters parameters;
@@ -72,17 +72,17 @@ Report ApplyUmbrellaSmooth(Host& host, const Values& values)
     parameters.progress = std::ref(progress);
     const vcg_ext::MeshArrays arrays(mesh);
     const auto positions = vcg_ext::SmoothedPositions(arrays.View(), parameters);
-    if (!positions) throw Cancelled();
 
-    const Movement movement = MoveVertices(mesh, *positions);
+    const Movement movement = MoveVertices(mesh, positions);
     host.GeometryChanged();
     const double percent = movement.diagonal > 0 ? 100 * movement.largest / movement.diagonal : 0;
     Report report;
     report.SetCount("moved", movement.moved);
     report.Set("largest_movement", percent);
     report.Set("seconds", stopwatch.Seconds());
-    host.Log(std::to_string(movement.moved) + " of " + std::to_string(mesh.vn) + " vertices moved, by " +
-             RoundedText(percent, 4) + " percent of the bounding box's diagonal at the most");
+    host.Log(CountText(movement.moved) + " of " + CountText(static_cast<std::size_t>(mesh.vn)) +
+             " vertices moved, by at most " + RoundedText(percent, 4) +
+             " percent of the bounding box diagonal");
     return report;
 }
 

@@ -10,26 +10,25 @@
 #include <string>
 #include <vector>
 
-#include "decimation_words.h"
+#include "decimation_summary.h"
 #include "filter_decimate.h"
 #include "guidance.h"
 #include "host.h"
 #include "progress.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/decimate.h"
+#include "vcg_ext/decimate_weighted.h"
 #include "vcg_ext/curvature.h"
 #include "vcg_ext/core/descriptor/feature_classes.h"
 #include "vcg_ext/mesh_arrays.h"
-#include "vcg_ext/ordered/decimate.h"
 
 namespace laplacian_simplify
 {
 
-/// Option of "descriptor" behind the vertex quality: no l, but quadrics scaled by the absolute curvature.
+/// The option of "descriptor" after the vertex quality: no l, but quadrics scaled by the absolute curvature.
 constexpr int kCurvatureWeightedQuadric = static_cast<int>(std::size(vcg_ext::kDescriptors)) + 1;
 
-/// The l of Eq. 6 and what hangs on it.
+/// Sets the l of Eq. 6, or the weights of the quadrics.
 template <class Mesh>
 void SetWeights(const Mesh& mesh, const vcg_ext::MeshView& view, const Values& values,
                 vcg_ext::WeightedParameters& parameters)
@@ -37,8 +36,9 @@ void SetWeights(const Mesh& mesh, const vcg_ext::MeshView& view, const Values& v
     const int option = values.Integer("descriptor");
     if (option == kCurvatureWeightedQuadric) {
         if (parameters.errorFunction != vcg_ext::ErrorFunction::Quadric)
-            throw std::invalid_argument("descriptor = " + std::to_string(option) +
-                                        " (curvature_weighted_quadric) needs error_function = 0 (quadric)");
+            throw std::invalid_argument(
+                "descriptor = " + std::to_string(option) +
+                " (curvature_weighted_quadric) requires error_function = 0 (quadric)");
         const auto curvatures = vcg_ext::ComputeDiscreteCurvatures(view);
         parameters.quadricWeights = vcg_ext::AbsoluteCurvature(curvatures.mean, curvatures.gaussian);
         return;
@@ -46,14 +46,15 @@ void SetWeights(const Mesh& mesh, const vcg_ext::MeshView& view, const Values& v
     parameters.descriptor = vcg_ext::RescaledToUnit(DescriptorValues(mesh, option, 0));
 }
 
-/// The feature vertices of Section 4.4, empty where the filter shall not tell them apart.
+/// The feature vertices of Section 4.4; empty if the filter does not distinguish them.
 inline std::vector<std::uint8_t> FeatureClass(const vcg_ext::MeshView& view, const std::vector<double>& l,
                                               const Values& values)
 {
     if (!values.Boolean("class_aware")) return {};
     if (l.empty())
-        throw std::invalid_argument("class_aware = true needs a descriptor other than "
-                                    "curvature_weighted_quadric, which tells no classes apart");
+        throw std::invalid_argument(
+            "class_aware = true requires a descriptor that can be divided into classes, not "
+            "curvature_weighted_quadric");
     vcg_ext::FeatureParameters parameters;
     parameters.classes = values.Integer("classes");
     parameters.refine = values.Boolean("refine");
@@ -72,7 +73,6 @@ Report ApplyWeightedDecimation(Host& host, const Values& values)
             vcg_ext::MeshView view = arrays.View();
             vcg_ext::WeightedParameters parameters;
             parameters.targetFaces = target;
-            parameters.progress = std::move(progress);
             parameters.errorFunction = values.Choice<vcg_ext::ErrorFunction>("error_function");
             parameters.featureWeight = values.Real("feature_weight");
             SetWeights(mesh, view, values, parameters);
@@ -82,10 +82,7 @@ Report ApplyWeightedDecimation(Host& host, const Values& values)
                 outside = arrays.OutsideSelection(mesh);
                 view.fixedVertices = outside.data();
             }
-            vcg_ext::Decimation decimation;
-            decimation.mesh = vcg_ext::DecimateWeighted(view, std::move(parameters)).mesh;
-            decimation.report = vcg_ext::ReportOn(view, decimation.mesh, target, kMeasureError, 0);
-            return decimation;
+            return vcg_ext::SimplifyWeighted(view, parameters, std::move(progress));
         });
 }
 

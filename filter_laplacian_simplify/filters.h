@@ -9,7 +9,7 @@
 namespace laplacian_simplify
 {
 
-/// The filters; the value is the place of the row in Filters() and the id that the host knows.
+/// The filters. The value is the index of the row in Filters() and the id that the host uses.
 enum class FilterId {
     ShapeDescriptor,
     FeatureSelection,
@@ -18,7 +18,7 @@ enum class FilterId {
     UmbrellaSmooth
 };
 
-/// The kinds of data of a mesh that a filter can change; or-ed together.
+/// The kinds of mesh data that a filter can change; combined by bitwise or.
 enum MeshData : std::uint32_t {
     kVertexPosition = 1,
     kVertexNormal = 2,
@@ -27,23 +27,23 @@ enum MeshData : std::uint32_t {
     kVertexColor = 16,
     kVertexSelection = 32,
     kFaceSelection = 64,
-    kGeometryAndTopology = 128 ///< elements go: a host cannot offer a live preview
+    kGeometryAndTopology = 128 ///< elements are removed, so a host cannot offer a live preview
 };
 
-/// Where a host's menus list a filter.
+/// The menu of the host that lists a filter.
 enum class Category { Selection, Remeshing, Smoothing, Quality, VertexColoring };
 
-/// What everybody is told about a filter. All of them work on the current mesh.
+/// Everything that hosts, commands and pages show of a filter. Every filter works on the current mesh.
 struct Filter {
     FilterId id;
-    const char* key;        ///< short name in snake_case, for commands and keys of our own
-    const char* name;       ///< in menus and .mlx scripts; never changes after a release
-    const char* pythonName; ///< in pymeshlab; never changes after a release
-    const char* summary;    ///< one sentence
-    const char* help;       ///< the rest, in the host's simple HTML
-    const char* references; ///< literature, in the host's simple HTML
+    const char* key;                     ///< short name in snake_case, for the command line and for tests
+    const char* name;                    ///< in menus and .mlx scripts; never changes after a release
+    const char* pythonName;              ///< in pymeshlab; never changes after a release
+    const char* summary;                 ///< one sentence
+    const char* help;                    ///< the rest, in the host's simple HTML
+    std::vector<const char*> references; ///< literature, each entry in the host's simple HTML
     std::vector<Category> categories;
-    std::uint32_t changes; ///< of MeshData: what may differ afterwards
+    std::uint32_t changes; ///< MeshData that may differ afterward
 };
 
 /// The table of filters, in the order of FilterId.
@@ -51,6 +51,9 @@ const std::vector<Filter>& Filters();
 
 /// The row of \p id.
 const Filter& Row(FilterId id);
+
+/// The literature as one text in the host's simple HTML.
+std::string References(const Filter& filter);
 
 /// What a host shows above the parameters: summary, help and references.
 std::string Description(const Filter& filter);

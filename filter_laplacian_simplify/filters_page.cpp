@@ -14,13 +14,12 @@ constexpr const char* kHead =
     "<!-- SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors -->\n"
     "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
     "# Filters\n\n"
-    "Made from the tables of the plugin by `scripts/write-filters-page`; do not edit. The menu name stands "
-    "in "
-    "`.mlx` scripts, the Python name in pymeshlab, the parameters are the same everywhere. A choice is given "
-    "by its number, in pymeshlab also by its text, in the command line by its word.\n\n";
+    "Generated from the plugin's tables by `scripts/write-filters-page`; do not edit. MeshLab's menus and "
+    "`.mlx` scripts use a filter's name, pymeshlab its Python name. Parameters have the same names everywhere. "
+    "A choice is given by its number; pymeshlab also accepts its text, the command line its word.\n\n";
 
-/// Where the host's help has HTML line breaks.
-std::string Paragraphs(std::string html)
+/// The host's simple HTML without line breaks.
+std::string OneParagraph(std::string html)
 {
     const std::string lineBreak = "<br/>";
     for (auto at = html.find(lineBreak); at != std::string::npos; at = html.find(lineBreak, at))
@@ -65,7 +64,7 @@ std::string TypeText(ResultType type)
 std::string FilterSection(const Filter& filter)
 {
     std::string page = std::string("## ") + filter.name + "\n\n`" + filter.pythonName + "`\n\n" +
-                       filter.summary + " " + Paragraphs(filter.help) + "\n\n" +
+                       filter.summary + " " + OneParagraph(filter.help) + "\n\n" +
                        "| parameter | values | default | meaning |\n|---|---|---|---|\n";
     for (const Parameter* row : ParametersOf(filter.id))
         page += std::string("| `") + row->id + "` | " + TypeText(*row) + " | " + DefaultText(*row) + " | " +
@@ -76,14 +75,14 @@ std::string FilterSection(const Filter& filter)
         page +=
             std::string("| `") + row->id + "` | " + TypeText(row->type) + unit + " | " + row->help + " |\n";
     }
-    return page + "\n" + Paragraphs(filter.references) + "\n\n";
+    return page + "\n" + OneParagraph(References(filter)) + "\n\n";
 }
 
 } // namespace
 
 std::string DefaultText(const Parameter& parameter)
 {
-    if (parameter.defaultValue.onMesh) return parameter.defaultValue.words;
+    if (parameter.defaultValue.onMesh) return parameter.defaultValue.description;
     const double value = parameter.defaultValue.value;
     if (parameter.type == ParameterType::Boolean) return value != 0 ? "true" : "false";
     if (parameter.type != ParameterType::Choice) return NumberText(value);
@@ -94,7 +93,7 @@ std::string FiltersPage()
 {
     std::string page = kHead;
     for (const Filter& filter : Filters()) page += FilterSection(filter);
-    page.pop_back(); // one line end at the end
+    page.pop_back(); // the last section ends with one line break only
     return page;
 }
 

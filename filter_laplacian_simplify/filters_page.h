@@ -9,7 +9,7 @@
 namespace laplacian_simplify
 {
 
-/// The default of a parameter for people: "2", "true", "balanced", "half the faces".
+/// The default of a parameter: "2", "true", "1 `balanced`", "half of the faces, or of the selected faces".
 std::string DefaultText(const Parameter& parameter);
 
 /// The page docs/filters.md: every filter with its parameters and results, from the tables.

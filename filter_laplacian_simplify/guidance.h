@@ -11,13 +11,14 @@
 
 #include <vcg/complex/complex.h>
 
+#include "number_text.h"
 #include "vcg_ext/descriptors.h"
 
 namespace laplacian_simplify
 {
 
 /// The quality of every element of mesh.vert, 0 for deleted ones.
-/// \throws std::invalid_argument where one is not finite, with the count
+/// \throws std::invalid_argument if some are not finite, with their number
 template <class Mesh>
 std::vector<double> StoredQuality(const Mesh& mesh)
 {
@@ -29,13 +30,14 @@ std::vector<double> StoredQuality(const Mesh& mesh)
         bad += !std::isfinite(quality[v]);
     }
     if (bad > 0)
-        throw std::invalid_argument("descriptor = vertex quality: " + std::to_string(bad) + " of " +
-                                    std::to_string(mesh.vn) + " vertices have a quality that is not finite");
+        throw std::invalid_argument("descriptor = vertex_quality, but the quality is not finite at " +
+                                    CountText(bad) + " of " + CountText(static_cast<std::size_t>(mesh.vn)) +
+                                    " vertices");
     return quality;
 }
 
-/// The values that option \p option of a parameter "descriptor" stands for: a row of kDescriptors, or behind
-/// the last the quality that the vertices have. One value for each element of mesh.vert.
+/// The values of option \p option of a parameter "descriptor": a row of kDescriptors or, after the last row,
+/// the vertex quality as it is. One value for each element of mesh.vert.
 template <class Mesh>
 std::vector<double> DescriptorValues(const Mesh& mesh, int option, int threads)
 {
@@ -44,8 +46,8 @@ std::vector<double> DescriptorValues(const Mesh& mesh, int option, int threads)
     return vcg_ext::ComputeDescriptor(mesh, static_cast<vcg_ext::Descriptor>(option), threads);
 }
 
-/// The same in [0, 1] for the decimation; empty stands for the Laplacian descriptor, which it computes
-/// itself.
+/// The same rescaled to [0, 1] for the decimation. Empty for the Laplacian descriptor, which the decimation
+/// computes itself.
 template <class Mesh>
 std::vector<float> Guidance(const Mesh& mesh, int option, int threads)
 {

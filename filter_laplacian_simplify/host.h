@@ -4,16 +4,16 @@
 
 // A filter function is a template on the program that it runs in. Such a Host is made for one run and offers:
 //
-//   using MeshType            a VCG triangle mesh with vertex quality and colour
+//   using MeshType            a VCG triangle mesh with vertex quality and color
 //   MeshType& Mesh()          the current mesh
 //   void Require(data)        makes sure that the mesh has the MeshData that is about to be written
-//   void ContinueOnCopy()     a new layer with a copy of the mesh becomes the current one; the original stays
-//   void GeometryChanged()    after positions or faces of the mesh changed: box and normals
-//   void Log(line)            a line for the user, of less than 4096 characters
+//   void ContinueOnCopy()     makes a new layer with a copy of the mesh the current one; the original stays
+//   void GeometryChanged()    updates box and normals; to be called after positions or faces have changed
+//   void Log(line)            shows a line of fewer than 4096 characters to the user
 //   bool Progress(percent, stage)  false asks to stop; main thread only
 //
-// A filter function checks everything and computes before it changes the mesh; what it throws is a
-// std::exception whose text is a sentence for the user, and the mesh is then as it was.
+// A filter function first checks, then computes, and only then changes the mesh. What it throws is a
+// std::exception whose text is a sentence for the user; the mesh is then unchanged.
 
 #include <cmath>
 #include <cstddef>
@@ -23,13 +23,14 @@
 
 #include <vcg/complex/complex.h>
 
+#include "number_text.h"
 #include "parameters.h"
 
 namespace laplacian_simplify
 {
 
 /// Coordinates beyond this overflow when a host squares them in single precision.
-constexpr double kLargestCoordinate = 1e18;
+constexpr double kMaxCoordinate = 1e18;
 
 /// What the defaults of parameters depend on.
 template <class Mesh>
@@ -44,26 +45,26 @@ MeshFacts FactsOf(const Mesh& mesh)
     return facts;
 }
 
-/// \throws std::invalid_argument where no filter can work on the mesh: it says why, with the count
+/// \throws std::invalid_argument if no filter can work on the mesh; it says why, with the count
 template <class Mesh>
 void RequireUsable(const Mesh& mesh)
 {
-    const std::string vertices = std::to_string(mesh.vn);
+    const std::string vertices = CountText(static_cast<std::size_t>(mesh.vn));
     if (mesh.fn == 0) throw std::invalid_argument("the mesh has no faces (" + vertices + " vertices)");
     std::size_t bad = 0;
     for (const auto& v : mesh.vert) {
         if (v.IsD()) continue;
-        const auto usable = [](auto x) { return std::abs(static_cast<double>(x)) <= kLargestCoordinate; };
+        const auto usable = [](auto x) { return std::abs(static_cast<double>(x)) <= kMaxCoordinate; };
         bad += !(usable(v.cP()[0]) && usable(v.cP()[1]) && usable(v.cP()[2])); // NaN is not <= either
     }
     if (bad > 0)
-        throw std::invalid_argument("the mesh is unusable: " + std::to_string(bad) + " of " + vertices +
-                                    " vertices have coordinates that are not finite numbers up to 1e18");
+        throw std::invalid_argument("the mesh is unusable: the coordinates of " + CountText(bad) + " of " +
+                                    vertices + " vertices are not finite or larger than 1e18");
 }
 
-/// One flag for each element of mesh.vert: the vertices that a filter for vertices may change. With
-/// \p selectedOnly those of selected faces, or the selected ones where no face is selected.
-/// \throws std::invalid_argument where that is none
+/// One flag for each element of mesh.vert: the vertices that a filter on vertices may change. With \p
+/// selectedOnly these are the vertices of selected faces or, if no face is selected, the selected vertices.
+/// \throws std::invalid_argument if there are none
 template <class Mesh>
 std::vector<bool> VerticesInScope(const Mesh& mesh, bool selectedOnly)
 {
@@ -83,7 +84,7 @@ std::vector<bool> VerticesInScope(const Mesh& mesh, bool selectedOnly)
         inScope[v] = !mesh.vert[v].IsD() && (!selectedOnly || mesh.vert[v].IsS());
         any = any || inScope[v];
     }
-    if (!any) throw std::invalid_argument("selected_only = true, but nothing is selected");
+    if (!any) throw std::invalid_argument("selected_only = true, but no face or vertex is selected");
     return inScope;
 }
 

@@ -10,7 +10,7 @@
 namespace laplacian_simplify
 {
 
-/// MeshData in the bits of MeshLab, which have the same names in every version.
+/// MeshData as MeshLab's bits, which have the same names in every version.
 /// \tparam Model MeshLab's MeshModel
 template <class Model>
 int HostMask(std::uint32_t data)
@@ -31,7 +31,7 @@ int HostMask(std::uint32_t data)
     return mask;
 }
 
-/// The categories of a filter in the bits of MeshLab.
+/// The categories of a filter as MeshLab's bits.
 /// \tparam Interface the class that MeshLab's filter plugins derive from
 template <class Interface>
 typename Interface::FilterClass HostClass(const Filter& filter)

@@ -29,6 +29,22 @@ std::string RoundedText(double value, int digits)
     return {buffer.data(), end};
 }
 
+std::string FixedText(double value, int decimals)
+{
+    std::array<char, 64> buffer;
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals)
+            .ptr;
+    return {buffer.data(), end};
+}
+
+std::string CountText(std::size_t count)
+{
+    std::string text = std::to_string(count);
+    for (std::size_t place = text.size(); place > 3; place -= 3) text.insert(place - 3, ",");
+    return text;
+}
+
 double ExactDecimal(float value)
 {
     std::array<char, 64> text;

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr Range kSwitch{0, 1};
-constexpr Range kSomeFaces{1, std::numeric_limits<int>::max()};
+constexpr Range kFaceCount{1, std::numeric_limits<int>::max()};
 
 Range Choices(const std::vector<Option>& options)
 {
@@ -29,15 +29,15 @@ double HalfTheFaces(const MeshFacts& facts)
     return static_cast<double>(std::max<std::size_t>(1, faces / 2));
 }
 
-double WhereFacesAreSelected(const MeshFacts& facts)
+double IfFacesAreSelected(const MeshFacts& facts)
 {
     return facts.selectedFaces > 0 ? 1 : 0;
 }
 
-constexpr DefaultValue kHalf{1, HalfTheFaces, "half the faces, or half the selected ones"};
-constexpr DefaultValue kBySelection{0, WhereFacesAreSelected, "true where faces are selected"};
+constexpr DefaultValue kHalfTheFaces{1, HalfTheFaces, "half of the faces, or of the selected faces"};
+constexpr DefaultValue kIfFacesAreSelected{0, IfFacesAreSelected, "true if faces are selected"};
 
-/// The descriptors that can be computed, and behind them the quality that the vertices have.
+/// The descriptors that can be computed, optionally followed by the vertex quality as it is.
 std::vector<Option> Descriptors(bool withVertexQuality)
 {
     std::vector<Option> options;
@@ -46,8 +46,8 @@ std::vector<Option> Descriptors(bool withVertexQuality)
     return options;
 }
 
-/// Of the paper's filter: what weights the collapses, at last the quadrics after Li and He.
-std::vector<Option> CurvatureWeighting()
+/// The weightings of the paper's filter: all descriptors, followed by the quadrics of Li and He.
+std::vector<Option> Weightings()
 {
     std::vector<Option> options = Descriptors(true);
     options.push_back({"curvature_weighted_quadric", "Curvature-weighted quadric (Li and He 2010)"});
@@ -80,94 +80,103 @@ const std::vector<Parameter>& Parameters()
     constexpr auto kSmooth = FilterId::UmbrellaSmooth;
     static const std::vector<Option> computed = Descriptors(false);
     static const std::vector<Option> computedOrStored = Descriptors(true);
-    static const std::vector<Option> weights = CurvatureWeighting();
+    static const std::vector<Option> weights = Weightings();
     static const std::vector<Option> errors = ErrorFunctions();
-    static const std::vector<Option> efforts = {{"fast", "fast: collapse only"},
-                                                {"balanced", "balanced: collapse and refinement"},
-                                                {"best", "best: measured order and refinement"}};
-    static const std::vector<Option> boundaries = {{"free", "free: as any other edge"},
-                                                   {"preserve", "preserve: borders keep their course"},
-                                                   {"lock", "lock: border vertices stay where they are"}};
-    static const std::vector<Option> orders = {{"sweeps", "sweeps: parallel engine"},
-                                               {"strict", "strict: VCG's LocalOptimization, one thread"}};
+    static const std::vector<Option> efforts = {
+        {"fast", "fast: collapse only"},
+        {"balanced", "balanced: collapse, then refine"},
+        {"best", "best: collapse in the order of the measured error, then refine"}};
+    static const std::vector<Option> boundaries = {{"free", "free: like any other edge"},
+                                                   {"preserve", "preserve: borders keep their shape"},
+                                                   {"lock", "lock: border vertices do not move"}};
+    static const std::vector<Option> orders = {{"sweeps", "sweeps: fast parallel engine"},
+                                               {"strict", "strict: VCG's queue (reference, one thread)"}};
     static const std::vector<Option> operators = UmbrellaOperators();
     static const std::vector<Option> borders = {
-        {"free", "free: as any other vertex"}, {"along", "along the border"}, {"fixed", "fixed"}};
+        {"free", "free: like any other vertex"}, {"along", "along the border"}, {"fixed", "fixed"}};
 
     // clang-format off
     static const std::vector<Parameter> parameters = {
         {"operator", {kSmooth}, Type::Choice, {0}, Choices(operators), "", "Operator",
-         "Which umbrella operator moves the vertices.", operators},
+         "The umbrella operator that moves the vertices.", operators},
         {"steps", {kSmooth}, Type::Integer, {10}, {1, 10000}, "", "Steps",
-         "How often every vertex is moved.", {}},
-        {"step_size", {kSmooth}, Type::Real, {0.5}, {0, 1, false}, "", "Step size",
-         "Part of the operator's vector that a vertex moves in a step.", {}},
+         "Number of iterations.", {}},
+        {"step_size", {kSmooth}, Type::Real, {0.5}, {0, 1, false}, "", "Step size (0-1)",
+         "Fraction of the operator's displacement that is applied in each iteration.", {}},
         {"boundary", {kSmooth}, Type::Choice, {0}, Choices(borders), "", "Boundary",
-         "What vertices on open borders do: move as any other, move with their neighbours on the border "
-         "only, or stay.", borders},
+         "How vertices on open borders move: like any other vertex, toward their neighbors on the border "
+         "only, or not at all.", borders},
         {"error_function", {kWeighted}, Type::Choice, {0}, Choices(errors), "", "Error function",
-         "The g of Eq. 6, multiplied by e to the power of feature_weight times the descriptor.", errors},
-        {"target_faces", {kGuided, kWeighted}, Type::Integer, kHalf, kSomeFaces, "faces", "Target faces",
-         "The number of faces to keep, of the selection where only the selection is decimated. Used when "
-         "the target percentage is 0.", {}},
-        {"target_percent", {kGuided, kWeighted}, Type::Real, {0}, {0, 100}, "percent", "Target percentage",
-         "Percent of the faces to keep, of the selection where only the selection is decimated. 0: the "
-         "target number of faces is used.", {}},
-        {"feature_weight", {kGuided}, Type::Real, {2}, {0, 50}, "", "Feature weight",
-         "Lambda of the Laplacian weighting. 0: features are not preferred; 2: more exact than plain "
-         "decimation everywhere; 4 to 8: features first; 50 is past usefulness.", {}},
-        {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight",
+         "The g of Eq. 6, which is multiplied by exp(feature weight * descriptor).", errors},
+        {"target_faces", {kGuided, kWeighted}, Type::Integer, kHalfTheFaces, kFaceCount, "faces",
+         "Target faces",
+         "Number of faces to keep, of the selected faces if \"Selection only\" is on. Used if the target "
+         "percentage is 0.", {}},
+        {"target_percent", {kGuided, kWeighted}, Type::Real, {0}, {0, 100}, "percent of the faces",
+         "Target percentage (0-100)",
+         "Percentage of faces to keep (0-100, not a fraction), of the selected faces if \"Selection only\" "
+         "is on. 0 = use \"Target faces\".", {}},
+        {"feature_weight", {kGuided}, Type::Real, {2}, {0, 50}, "", "Feature weight (0-50)",
+         "How much more collapses near features cost (lambda). 0: plain decimation. 2: in nearly all cases "
+         "less error at features, for a few percent more rms error overall. 4 to 8: features take priority. "
+         "Values above about 10 are rarely useful.", {}},
+        {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight (0-50)",
          "Lambda of Eq. 6. 0: the plain error function.", {}},
         {"effort", {kGuided}, Type::Choice, {1}, Choices(efforts), "", "Effort",
-         "Geometry against time, by docs/benchmark.md: fast only collapses. Balanced also refines: 1.7 times as "
-         "long as fast, for 10 % less rms and 17 % less feature rms. Best collapses in the order of the "
-         "measured error, on one thread whatever the order, and refines: about as long as CGAL's "
-         "Lindstrom-Turk, for 11 % less rms and 37 % less feature rms than fast.", efforts},
+         "Quality/speed trade-off. Fast: collapses only. Balanced: also refines the result. Best: collapses "
+         "in the order of the measured error, on one thread, and refines; several times slower.", efforts},
         {"descriptor", {kDescriptor}, Type::Choice, {0}, Choices(computed), "", "Descriptor",
-         "What is computed.", computed},
+         "Shape descriptor to compute.", computed},
         {"descriptor", {kSelection}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
-         "What is divided into classes.", computedOrStored},
+         "Shape descriptor to divide into classes.", computedOrStored},
         {"descriptor", {kGuided}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
-         "What tells features from the rest.", computedOrStored},
+         "Measure that decides what counts as a feature.", computedOrStored},
         {"descriptor", {kWeighted}, Type::Choice, {0}, Choices(weights), "", "Descriptor",
-         "l of Eq. 6, rescaled to [0, 1]; or no l, but quadrics scaled by absolute curvature.", weights},
+         "The l of Eq. 6, rescaled to [0, 1]. The curvature-weighted quadric uses no l: it scales the "
+         "quadrics by the absolute curvature.", weights},
         {"rescale", {kDescriptor}, Type::Boolean, {0}, kSwitch, "", "Rescale to [0, 1]",
-         "Rescale the values linearly so that the 99.9 percentile becomes 1; what is above is cut.", {}},
+         "Rescale the values linearly so that the minimum becomes 0 and the 99.9th percentile becomes 1; "
+         "larger values are clipped to 1.", {}},
         {"colorize", {kDescriptor}, Type::Boolean, {1}, kSwitch, "", "Colorize",
-         "Paint the vertices by their value, red for small and blue for large ones.", {}},
+         "Color the vertices by their value, from red (small) to blue (large).", {}},
         {"class_aware", {kWeighted}, Type::Boolean, {0}, kSwitch, "", "Class-aware",
-         "Section 4.4: a feature vertex, one of the highest class, goes into feature neighbours only.", {}},
-        {"classes", {kSelection, kWeighted}, Type::Integer, {2}, {2, 16}, "", "Classes",
-         "The number of classes.", {}},
+         "Section 4.4: a feature vertex (of the highest class) collapses into feature neighbors only.", {}},
+        {"classes", {kSelection, kWeighted}, Type::Integer, {2}, {2, 16}, "", "Classes (2-16)",
+         "Number of classes.", {}},
         {"selected_classes", {kSelection}, Type::Integer, {1}, {1, 15}, "", "Selected classes",
-         "How many of the highest classes are selected; fewer than there are.", {}},
+         "How many of the highest classes to select; fewer than the number of classes.", {}},
         {"refine", {kSelection, kWeighted}, Type::Boolean, {0}, kSwitch, "", "Refine",
-         "Close gaps: as long as a selected vertex has fewer selected neighbours than asked for, its best"
-         " neighbour is added. Helps on mechanical parts, not on natural shapes.", {}},
-        {"minimum_feature_neighbours", {kSelection}, Type::Integer, {2}, {1, 8}, "", "Selected neighbours",
-         "For the refinement: how many selected neighbours are enough.", {}},
-        {"refinement_floor", {kSelection}, Type::Real, {0.5}, {0, 1}, "of the threshold", "Refinement floor",
-         "For the refinement: part of the threshold below which no vertex is added.", {}},
+         "Close gaps: while a feature vertex has fewer than the minimum number of feature neighbors, its "
+         "best neighbor is added. Helps on mechanical parts, not on natural shapes.", {}},
+        {"minimum_feature_neighbours", {kSelection}, Type::Integer, {2}, {1, 8}, "",
+         "Minimum feature neighbors",
+         "For the refinement: the number of feature neighbors that each feature vertex should have.", {}},
+        {"refinement_floor", {kSelection}, Type::Real, {0.5}, {0, 1}, "of the threshold",
+         "Refinement floor (0-1)",
+         "For the refinement: no vertex is added whose descriptor is below this part of the threshold.", {}},
         {"class_as_quality", {kSelection}, Type::Boolean, {0}, kSwitch, "", "Class as quality",
-         "Store the number of every vertex's class, from 0, in its quality.", {}},
+         "Store the class number of each vertex, counted from 0, in its quality.", {}},
         {"boundary", {kGuided}, Type::Choice, {1}, Choices(boundaries), "", "Boundary",
          "How open borders are treated.", boundaries},
         {"preserve_topology", {kGuided}, Type::Boolean, {0}, kSwitch, "", "Preserve topology",
-         "Keep every handle, hole and component, at the cost of collapses that are refused.", {}},
-        {"selected_only", {kGuided, kWeighted}, Type::Boolean, kBySelection, kSwitch, "", "Selection only",
-         "Only the selected faces are decimated; the rest is untouched.", {}},
-        {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kBySelection, kSwitch, "", "Selection only",
-         "Only vertices of selected faces change, or the selected vertices where no face is selected.", {}},
+         "Keep every handle, hole and component; the filter may stop above the target.", {}},
+        {"selected_only", {kGuided, kWeighted}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
+         "Selection only",
+         "Decimate only the selected faces; the rest is untouched.", {}},
+        {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
+         "Selection only",
+         "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
         {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
-         "Keep the original and put the result into a new layer.", {}},
+         "Keep the original and put the result in a new layer.", {}},
         {"measure_error", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Measure error",
-         "Measure the distances between original and result for the report; takes about as long as the "
+         "Measure the distances between original and result for the report. Takes about as long as the "
          "decimation.", {}},
         {"order", {kGuided}, Type::Choice, {0}, Choices(orders), "", "Order",
-         "Who runs the collapses: the fast engine, or the reference on VCG's framework; effort best always "
-         "takes the latter.", orders},
-        {"threads", {kGuided}, Type::Integer, {0}, {0, 1024}, "", "Threads",
-         "Threads to use, 0 for all, or as many as OMP_NUM_THREADS says. The result does not depend on it.", {}},
+         "Collapse algorithm: fast parallel engine, or VCG's queue (reference). Effort \"best\" always uses "
+         "the queue.", orders},
+        {"threads", {kGuided}, Type::Integer, {0}, {0, 1024}, "", "Threads (0 = all)",
+         "Number of threads. 0: all cores, or OMP_NUM_THREADS if it is set. The result is bit-identical for "
+         "any number of threads.", {}},
     };
     // clang-format on
     return parameters;
@@ -185,14 +194,15 @@ std::vector<const Parameter*> ParametersOf(FilterId filter)
 std::string RangeText(const Parameter& parameter)
 {
     if (parameter.type == ParameterType::Boolean) return "true or false";
-    const Range& range = parameter.range;
-    std::string text = (range.minimumIncluded ? "[" : "(") + NumberText(range.minimum) + ", " +
-                       NumberText(range.maximum) + "]";
-    std::string explanation = parameter.unit;
+    std::string text;
     for (std::size_t i = 0; i < parameter.options.size(); ++i)
-        explanation +=
-            (i > 0 ? ", " : "") + NumberText(static_cast<double>(i)) + " " + parameter.options[i].id;
-    return explanation.empty() ? text : text + " (" + explanation + ")";
+        text += (i > 0 ? ", " : "") + parameter.options[i].id + " (" + std::to_string(i) + ")";
+    if (!text.empty()) return text;
+    const Range& range = parameter.range;
+    text = (range.minimumIncluded ? "[" : "(") + NumberText(range.minimum) + ", " +
+           NumberText(range.maximum) + "]";
+    if (*parameter.unit) text += std::string(" (") + parameter.unit + ")";
+    return text;
 }
 
 } // namespace laplacian_simplify

@@ -13,33 +13,33 @@ namespace laplacian_simplify
 
 enum class ParameterType { Boolean, Integer, Real, Choice };
 
-/// What the default of a parameter may depend on. All 0 where there is no mesh yet.
+/// What the default of a parameter may depend on. All 0 while there is no mesh.
 struct MeshFacts {
     std::size_t faces = 0;
     std::size_t selectedFaces = 0;
 };
 
-/// One value of a parameter that is a choice; its number is its place in the list.
+/// One value of a parameter that is a choice; its number is its index in the list.
 struct Option {
-    std::string id;   ///< snake_case, for command lines
+    std::string id;   ///< snake_case, for the command line
     std::string text; ///< for dialogs
 };
 
-/// The values that a number may have.
+/// The values that a number may take; the maximum is included.
 struct Range {
     double minimum;
     double maximum;
     bool minimumIncluded = true;
 };
 
-/// The value that a dialog starts with and that holds where none is given.
+/// The value that a dialog starts with and that is used where none is given.
 struct DefaultValue {
-    double value;                                 ///< where the mesh does not decide it
-    double (*onMesh)(const MeshFacts&) = nullptr; ///< otherwise null
-    const char* words = "";                       ///< what onMesh says
+    double value;                                 ///< used if onMesh is null
+    double (*onMesh)(const MeshFacts&) = nullptr; ///< computes the default from the mesh
+    const char* description = "";                 ///< what onMesh computes
 };
 
-/// What everybody is told about a parameter of some filters.
+/// Everything that hosts, commands and pages show of a parameter of some filters.
 struct Parameter {
     const char* id; ///< snake_case, the same in dialogs, scripts, Python and commands; never changes
     std::vector<FilterId> filters;
@@ -51,7 +51,7 @@ struct Parameter {
     const char* help;
     std::vector<Option> options; ///< of a choice, otherwise empty
 
-    /// The default on a mesh; lies in the range on every mesh.
+    /// The default on a mesh; always in the range.
     double Default(const MeshFacts& facts) const
     {
         return defaultValue.onMesh ? defaultValue.onMesh(facts) : defaultValue.value;
@@ -59,7 +59,7 @@ struct Parameter {
 };
 
 /// The default on a mesh.
-/// \param facts asked for only where the default depends on them: that is a walk over the faces
+/// \param facts called only if the default depends on the mesh, because it visits every face
 template <class Facts>
 double DefaultOf(const Parameter& parameter, const Facts& facts)
 {
@@ -72,7 +72,8 @@ const std::vector<Parameter>& Parameters();
 /// The rows of one filter.
 std::vector<const Parameter*> ParametersOf(FilterId filter);
 
-/// The range as people write it: "[0, 50]", "(0, 1]", "[0, 2] (0 fast, 1 balanced, 2 best)", "true or false".
+/// The allowed values: "[0, 50]", "(0, 1]", "[0, 100] (percent of the faces)", "fast (0), balanced (1), best
+/// (2)", "true or false".
 std::string RangeText(const Parameter& parameter);
 
 } // namespace laplacian_simplify

@@ -10,8 +10,8 @@
 namespace laplacian_simplify
 {
 
-/// Exact percentiles of many numbers, several times faster than by sorting: only the numbers of one bin of a
-/// histogram are put in order.
+/// Exact percentiles of many numbers, several times faster than by sorting: only the numbers in one bin of a
+/// histogram are ordered.
 class Percentiles
 {
     static constexpr std::size_t kBins = 4096;
@@ -40,11 +40,12 @@ class Percentiles
     double Minimum() const { return minimum_; }
     double Maximum() const { return maximum_; }
 
-    /// The largest value that \p part of the values are not above. \pre part in [0, 1]
-    double operator()(double part) const
+    /// The value at rank \p fraction of the sorted values, rounded down: 0.999 for the 99.9th percentile.
+    /// \pre fraction in [0, 1]
+    double operator()(double fraction) const
     {
         if (!(maximum_ > minimum_)) return minimum_;
-        auto rank = static_cast<std::size_t>(part * static_cast<double>(values_.size() - 1));
+        auto rank = static_cast<std::size_t>(fraction * static_cast<double>(values_.size() - 1));
         std::size_t bin = 0;
         while (rank >= counts_[bin]) rank -= counts_[bin++];
         std::vector<double> inBin;

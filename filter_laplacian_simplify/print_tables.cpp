@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints the tables of filters, parameters and results, for all who are not MeshLab:
+// Prints the tables of filters, parameters and results for everything outside MeshLab:
 //   print_tables             JSON, for the Python package
 //   print_tables --markdown  the page docs/filters.md
 
@@ -67,7 +67,7 @@ QJsonObject ToJson(const Parameter& row)
                      {"unit", row.unit},
                      {"label", row.label},
                      {"help", row.help}};
-    // null: the mesh decides it
+    // null: the default depends on the mesh
     if (row.defaultValue.onMesh)
         json["default"] = QJsonValue::Null;
     else if (row.type == ParameterType::Boolean)
@@ -107,7 +107,7 @@ QJsonObject ToJson(const Filter& row)
             {"python_name", row.pythonName},
             {"summary", row.summary},
             {"help", row.help},
-            {"references", row.references},
+            {"references", ToQt(References(row))},
             {"parameters", parameters},
             {"results", results}};
 }

@@ -4,52 +4,45 @@
 
 #include <chrono>
 #include <functional>
-#include <stdexcept>
 #include <utility>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/base/progress.h"
 
 namespace laplacian_simplify
 {
 
-/// Passes progress on at most ten times a second, as hosts redraw themselves on every call.
-class CalmProgress
+/// Passes progress on at most ten times a second, because hosts redraw themselves at every call.
+class ThrottledProgress
 {
   public:
     using Clock = std::chrono::steady_clock;
     using Now = std::function<Clock::time_point()>;
 
   private:
-    static constexpr std::chrono::milliseconds kPause{100};
+    static constexpr std::chrono::milliseconds kInterval{100};
 
     vcg_ext::Progress host_;
     Now now_;
     Clock::time_point last_{}; // long ago, so the first call is passed on
-    bool goOn_ = true;
+    bool continue_ = true;
 
   public:
-    /// \param now tells the time
-    explicit CalmProgress(vcg_ext::Progress host, Now now = Clock::now)
+    /// \param now returns the current time
+    explicit ThrottledProgress(vcg_ext::Progress host, Now now = Clock::now)
         : host_(std::move(host)), now_(std::move(now))
     {
     }
 
-    /// False from the call on in which the host asked to stop.
+    /// False once the host has asked to stop.
     bool operator()(int percent, const char* stage)
     {
-        if (!goOn_ || !host_) return goOn_;
+        if (!continue_ || !host_) return continue_;
         const auto now = now_();
-        if (now - last_ < kPause) return true;
+        if (now - last_ < kInterval) return true;
         last_ = now;
-        goOn_ = host_(percent, stage);
-        return goOn_;
+        continue_ = host_(percent, stage);
+        return continue_;
     }
 };
-
-/// What a filter that has nothing to report throws when the host asks it to stop.
-inline std::runtime_error Cancelled()
-{
-    return std::runtime_error("cancelled; the mesh is unchanged");
-}
 
 } // namespace laplacian_simplify

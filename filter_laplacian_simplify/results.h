@@ -15,14 +15,14 @@ namespace laplacian_simplify
 
 enum class ResultType { Boolean, Integer, Real, RealList };
 
-/// What everybody is told about a number that filters return.
+/// Everything that hosts, commands and pages show of a number that filters return.
 struct Result {
     const char* id; ///< key of the returned map; never changes after a release
     std::vector<FilterId> filters;
     ResultType type;
     const char* unit; ///< "" where there is none
     const char* help;
-    bool optional; ///< may be missing, help says when
+    bool optional; ///< may be missing; help says when
 };
 
 /// The table of results. No filter has two of the same id.
@@ -38,7 +38,7 @@ class Report
     using Value = std::variant<bool, int, double, std::vector<double>>;
 
     void Set(const char* id, Value value) { entries_.emplace_back(id, std::move(value)); }
-    /// A count, which hosts hold as an int. \throws std::overflow_error
+    /// A count, which hosts store as an int. \throws std::overflow_error
     void SetCount(const char* id, std::size_t count);
 
     const std::vector<std::pair<std::string, Value>>& Entries() const { return entries_; }

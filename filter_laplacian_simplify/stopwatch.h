@@ -7,7 +7,7 @@
 namespace laplacian_simplify
 {
 
-/// Wall time since it was made.
+/// Wall-clock time since its construction.
 class Stopwatch
 {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -12,9 +12,13 @@ namespace laplacian_simplify
 namespace
 {
 
-std::string Sentence(const Parameter& parameter, const std::string& value, const char* problem)
+std::invalid_argument Refusal(const Parameter& parameter, const std::string& value, const char* problem)
 {
-    return std::string(parameter.id) + " = " + value + " is " + problem + " " + RangeText(parameter);
+    const char* relation = !parameter.options.empty()                 ? "not one of"
+                           : parameter.type == ParameterType::Boolean ? "not"
+                                                                      : problem;
+    return std::invalid_argument(std::string(parameter.id) + " = " + value + " is " + relation + " " +
+                                 RangeText(parameter));
 }
 
 } // namespace
@@ -22,14 +26,14 @@ std::string Sentence(const Parameter& parameter, const std::string& value, const
 void Check(const Parameter& parameter, const GivenValue& value)
 {
     if (const auto* text = std::get_if<std::string>(&value))
-        throw std::invalid_argument(Sentence(parameter, "\"" + *text + "\"", "not a number in"));
+        throw Refusal(parameter, "\"" + *text + "\"", "not a number in");
     const double number = std::get<double>(value);
     const Range& range = parameter.range;
     const bool above = range.minimumIncluded ? number >= range.minimum : number > range.minimum;
     if (!(above && number <= range.maximum)) // negated, so NaN is refused too
-        throw std::invalid_argument(Sentence(parameter, NumberText(number), "outside"));
+        throw Refusal(parameter, NumberText(number), "outside");
     if (parameter.type != ParameterType::Real && number != std::floor(number))
-        throw std::invalid_argument(Sentence(parameter, NumberText(number), "not a whole number in"));
+        throw Refusal(parameter, NumberText(number), "not a whole number in");
 }
 
 Values::Values(FilterId filter, const std::function<MeshFacts()>& facts, const GivenValues& given)

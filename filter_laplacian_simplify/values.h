@@ -14,18 +14,20 @@
 namespace laplacian_simplify
 {
 
-/// What a host hands over for a parameter: a number (0 or 1 for a switch, the place for a choice), or the
-/// text that it could not read as one.
+/// What a host hands over for a parameter: a number (0 or 1 for a switch, the index of an option for a
+/// choice), or text that it could not read as a number.
 using GivenValue = std::variant<double, std::string>;
 
-/// Asks the host for a parameter; nothing where it has none, then the default is taken.
+/// Asks the host for the value of a parameter; without one the default is used.
 using GivenValues = std::function<std::optional<GivenValue>(const Parameter& parameter)>;
 
-/// Refuses a value that the parameter cannot have.
-/// \throws std::invalid_argument "feature_weight = 51 is outside [0, 50]": id, value and range
+/// Refuses a value that the parameter cannot take.
+/// \throws std::invalid_argument that names id, value and allowed values: "feature_weight = 51 is outside [0,
+/// 50]",
+///         "effort = 7 is not one of fast (0), balanced (1), best (2)"
 void Check(const Parameter& parameter, const GivenValue& value);
 
-/// The parameters of one run, all of them in their range.
+/// The parameters of one run, each in its range.
 class Values
 {
     struct Entry {
@@ -37,8 +39,8 @@ class Values
     double Find(std::string_view id) const;
 
   public:
-    /// \param facts asked for only where a default depends on the mesh and the host has no value
-    /// \throws std::invalid_argument as Check, for the first value that is out of range
+    /// \param facts called only if a default depends on the mesh and the host has no value
+    /// \throws std::invalid_argument as Check, for the first value that is refused
     Values(FilterId filter, const std::function<MeshFacts()>& facts, const GivenValues& given);
 
     bool Boolean(std::string_view id) const { return Find(id) != 0; }

@@ -55,10 +55,12 @@ def borders(studio: Studio) -> Entry:
             )
         checks += [
             Check(
-                f"{model.name}: the largest distance of a border point is smaller class-aware",
+                f"{model.name}: class-aware collapses have the smaller largest distance of a border point",
                 distances[1][0] < distances[0][0],
             ),
-            Check(f"{model.name}: so is the rms distance of the borders", distances[1][1] < distances[0][1]),
+            Check(
+                f"{model.name}: … and the smaller rms distance of the border points", distances[1][1] < distances[0][1]
+            ),
         ]
         name = f"figure_6_9_{role}.png"
         draw(
@@ -73,8 +75,8 @@ def borders(studio: Studio) -> Entry:
         pictures.append((name, f"{model.name}: original, shortest edge first, and with classes"))
     return Entry(
         title="Fig. 6 and 9: borders and classes",
-        claim="Shortest edge first distorts the borders of mechanical parts; where feature vertices take their "
-        "shortest edge among feature neighbours only, the borders stay.",
+        claim="Shortest edge first distorts the borders of mechanical parts; if feature vertices collapse into "
+        "feature neighbors only, the borders are preserved.",
         pictures=pictures,
         columns=[
             "model",
@@ -91,8 +93,8 @@ def borders(studio: Studio) -> Entry:
         rows=rows,
         checks=checks,
         notes=[
-            "Distances in percent of the box diagonal. Borders are the edges between vertices with a dihedral over "
-            f"30°, {BORDER_SAMPLES} points on each. A sixth of the faces is kept, as in the paper."
+            "Distances in percent of the bounding box diagonal. Borders are the edges between vertices with a dihedral "
+            f"angle over 30°, sampled at {BORDER_SAMPLES} points each. A sixth of the faces is kept, as in the paper."
         ],
     )
 
@@ -139,7 +141,7 @@ def two_classes(studio: Studio) -> Entry:
             Check("at least 95 % of the selected vertices are true features", precision >= 95),
             Check("at least 90 % of the true features are selected", recall >= 90),
         ],
-        notes=["True features are on an edge with a dihedral over 30°."],
+        notes=["True features lie on an edge with a dihedral angle over 30°."],
     )
 
 
@@ -164,7 +166,7 @@ def refinement(studio: Studio) -> Entry:
         checks += [
             Check(f"{model.name}: the refinement only adds vertices", bool((after | ~before).all())),
             Check(f"{model.name}: more true features are found", new[1] > old[1]),
-            Check(f"{model.name}: precision does not fall by more than one percent", new[0] >= old[0] - 1),
+            Check(f"{model.name}: precision falls by at most one percentage point", new[0] >= old[0] - 1),
         ]
         name = f"figure_8_{role}.png"
         draw(
@@ -178,13 +180,13 @@ def refinement(studio: Studio) -> Entry:
         pictures.append((name, f"{model.name}: feature vertices before and after the refinement"))
     return Entry(
         title="Fig. 8: refined classes",
-        claim="The refinement sends feature vertices that k-means missed back to the features.",
+        claim="The refinement returns feature vertices that k-means missed to the feature class.",
         pictures=pictures,
         columns=["model", "classes", "features", "promoted", "precision, %", "recall, %"],
         rows=rows,
         checks=checks,
         notes=[
-            "A neighbour of a feature with fewer than two feature neighbours is promoted where its descriptor is at "
-            "least half the threshold. Where k-means left no gap there is nothing to recapture."
+            "If a feature vertex has fewer than two feature neighbors, a neighbor is promoted whose descriptor is at "
+            "least half the threshold. If k-means left no gap, there is nothing to recapture."
         ],
     )

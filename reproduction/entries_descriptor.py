@@ -45,13 +45,13 @@ def comparison_of_descriptors(studio: Studio) -> Entry:
         )
     steps = {kind: grouping(to_unit(studio.descriptor("fandisk", kind))) for kind in KINDS}
     return Entry(
-        title="Fig. 3: the descriptor beside curvatures",
+        title="Fig. 3: the descriptor compared with curvatures",
         claim="Laplacian descriptors are larger at features than in flat regions, and like mean curvature, but unlike "
         "Gaussian curvature and curvature estimation, they come in groups: a sorted plot is a staircase.",
         pictures=[
             (
                 f"figure_3_{role}.png",
-                f"{studio.models[role].name}: shaded, and its vertices coloured by the Laplacian descriptor",
+                f"{studio.models[role].name}: shaded, and its vertices colored by the Laplacian descriptor",
             )
             for role in roles
         ]
@@ -81,8 +81,9 @@ def comparison_of_descriptors(studio: Studio) -> Entry:
             ),
         ],
         notes=[
-            "Separation: how probable it is that a vertex on an edge with a dihedral over 30° has a larger value than "
-            "another one; 0.5 is chance. Grouping: part of the variance that five classes (exact k-means) explain."
+            "Separation: the probability that a vertex on an edge with a dihedral angle over 30° has a larger value "
+            "than another vertex; 0.5 is chance. Grouping: the fraction of the variance that five classes (exact "
+            "k-means) explain."
         ],
     )
 
@@ -136,7 +137,7 @@ def segments_of_the_curve(studio: Studio) -> Entry:
         claim="Each segment of the sorted Laplacian descriptors is a group of vertices of the same kind, more "
         "accurately than for Gaussian curvature and curvature estimation.",
         pictures=[
-            ("figure_4_sorted.png", "Upper part of the sorted descriptors, coloured by segment"),
+            ("figure_4_sorted.png", "Upper part of the sorted descriptors, colored by segment"),
             ("figure_4_points.png", "The same vertices in space"),
         ],
         columns=["descriptor", "dihedral explained", *(f"size {g + 1}" for g in range(SEGMENTS))],
@@ -149,7 +150,7 @@ def segments_of_the_curve(studio: Studio) -> Entry:
             for kind in ("gaussian_curvature", "curvature_estimation")
         ],
         notes=[
-            "Explained: part of the variance of the largest dihedral angle at a vertex that lies between the "
+            "Explained: the fraction of the variance of the largest dihedral angle at a vertex that lies between the "
             f"{SEGMENTS} segments; 1 would mean that all vertices of a segment are alike."
         ],
     )

@@ -31,24 +31,24 @@ def operators(studio: Studio) -> Entry:
     )
     return Entry(
         title="Fig. 1: the three umbrella operators",
-        claim="Smoothing by the umbrella and the scale-dependent operator distorts lines and corners; "
+        claim="Smoothing with the umbrella and the scale-dependent operator distorts lines and corners; "
         "the normal-dependent operator does not.",
-        pictures=[("figure_1.png", f"{model.name}, ten steps of size 0.5 by each operator")],
+        pictures=[("figure_1.png", f"{model.name}, ten steps of size 0.5 with each operator")],
         columns=["operator", "movement of crease vertices, %", "of all vertices, %", "of flat vertices in one step, %"],
         rows=rows,
         checks=[
             Check(
-                "crease vertices move less by the normal-dependent operator than by the umbrella",
+                "crease vertices move less with the normal-dependent operator than with the umbrella",
                 creases[2] < creases[0],
             ),
-            Check("… and less than by the scale-dependent operator", creases[2] < creases[1]),
-            Check("flat vertices move least by the normal-dependent operator", planes[2] < min(planes[:2])),
+            Check("… and less than with the scale-dependent operator", creases[2] < creases[1]),
+            Check("flat vertices move least with the normal-dependent operator", planes[2] < min(planes[:2])),
             Check("crease vertices stay (less than 0.01 %)", creases[2] < 0.01),
         ],
         notes=[
-            "Percent of the box diagonal. Crease vertices are on an edge with a dihedral over 30°. The last check is "
-            "the claim taken at its word: the normal-dependent operator moves creases too, inwards, but not along "
-            "themselves."
+            "Percent of the bounding box diagonal. Crease vertices lie on an edge with a dihedral angle over 30°. The "
+            "last check takes the claim literally: the normal-dependent operator moves creases too, inward, but not "
+            "along themselves."
         ],
     )
 
@@ -79,7 +79,7 @@ def other_meshes(studio: Studio) -> Entry:
             model.name,
             studio.pictures / name,
         )
-        pictures.append((name, f"{model.name}: the mesh as triangles, and its vertices coloured by the descriptor"))
+        pictures.append((name, f"{model.name}: the mesh as triangles, and its vertices colored by the descriptor"))
         checks.append(
             Check(
                 f"{kind}: every value is finite and in [0, 1]",
@@ -96,7 +96,10 @@ def other_meshes(studio: Studio) -> Entry:
         columns=["model", "kind", "vertices", "separation of creases", "median at creases", "largest in flat regions"],
         rows=rows,
         checks=checks,
-        notes=["Creases: a dihedral over 30° at the vertex; flat: none over 0.001°. A dash: there is no such vertex."],
+        notes=[
+            "Creases: vertices with a dihedral angle over 30°; flat: with none over 0.001°. A dash: there is no such "
+            "vertex."
+        ],
     )
 
 
@@ -130,7 +133,7 @@ def times(studio: Studio) -> Entry:
             ]
         )
     return Entry(
-        title="Table 1: time of the descriptors",
+        title="Table 1: computing time of the descriptors",
         claim="The Laplacian descriptor is much faster than mean curvature (2.2 to 7.2 times in the paper); curvature "
         "estimation takes a similar time (1.2 to 1.8 times).",
         pictures=[],
@@ -156,8 +159,8 @@ def times(studio: Studio) -> Entry:
             ),
         ],
         notes=[
-            "Shortest of fifteen runs of the filter in turns, all on the machine that wrote this page; read ratios, "
-            "not milliseconds. The curvatures are VCG's and include the adjacency that they need. The paper's models "
-            "differ where the page's head says so."
+            "Shortest of fifteen runs of each filter, taken in turns on the machine that wrote this page; compare the "
+            "ratios, not the milliseconds. The curvatures are VCG's and include the adjacency that they need. The "
+            "table at the top of the page says which models stand for the paper's."
         ],
     )

@@ -11,8 +11,8 @@ FIGURES = ["rms", "hausdorff", "feature_rms", "normal_deviation", "seconds"]
 COLUMNS = ["rms", "Hausdorff", "feature rms", "normal deviation, °", "s"]
 GUIDED = 10.0  # the paper's lambda
 DISTANCES = (
-    "Distances in percent of the box diagonal; feature rms is taken at the tenth of the vertices with the largest "
-    "descriptor."
+    "Distances in percent of the bounding box diagonal; feature rms is measured at the tenth of the vertices with the "
+    "largest descriptor."
 )
 CASES = (  # faces before and after in the paper, of each model
     ("cow", 5804, 2052),
@@ -60,8 +60,8 @@ def shortest_edge(studio: Studio) -> Entry:
     )
     return Entry(
         title="Fig. 5: guided shortest edge first",
-        claim="Weighted by the Laplacian descriptor, shortest edge first keeps the features that it loses otherwise.",
-        pictures=[("figure_5.png", f"{model.name}: {len(model.mesh.faces)} faces, and {target} by either")],
+        claim="Weighted by the Laplacian descriptor, shortest edge first preserves features that it otherwise loses.",
+        pictures=[("figure_5.png", f"{model.name}: {len(model.mesh.faces)} faces, and {target} with either cost")],
         columns=["shortest edge first", "faces", *COLUMNS],
         rows=[
             ["plain", len(plain.mesh.faces), *figures(plain)],
@@ -70,7 +70,7 @@ def shortest_edge(studio: Studio) -> Entry:
         checks=[
             Check("feature rms is lower", guided.numbers["feature_rms"] < plain.numbers["feature_rms"]),
             Check("normal deviation is lower", guided.numbers["normal_deviation"] < plain.numbers["normal_deviation"]),
-            Check("rms is lower, too", guided.numbers["rms"] < plain.numbers["rms"]),
+            Check("rms is lower too", guided.numbers["rms"] < plain.numbers["rms"]),
         ],
         notes=[DISTANCES],
     )
@@ -140,8 +140,8 @@ def weights(studio: Studio) -> Entry:
     )
     feature = {weight: result.numbers["feature_rms"] for weight, result in results.items()}
     return Entry(
-        title="Fig. 12: how much features weigh",
-        claim="λ alone sets how many of the features are retained.",
+        title="Fig. 12: the weight of features",
+        claim="λ alone controls how many features are retained.",
         pictures=[("figure_12.png", f"{model.name}: guided quadric error, {target} faces")],
         columns=["λ", "faces", *COLUMNS],
         rows=[[weight, len(result.mesh.faces), *figures(result)] for weight, result in results.items()],
@@ -175,10 +175,10 @@ def curvatures(studio: Studio) -> Entry:
     )
     feature = {name: result.numbers["feature_rms"] for name, result in results.items()}
     return Entry(
-        title="Fig. 13: beside curvature",
+        title="Fig. 13: compared with curvature",
         claim="Laplacian guidance and curvature-weighted quadrics preserve details better than guidance by curvature "
         "estimation.",
-        pictures=[("figure_13.png", f"{model.name}: {target} faces by each")],
+        pictures=[("figure_13.png", f"{model.name}: {target} faces each")],
         columns=["quadric error", "faces", *COLUMNS],
         rows=[[name, len(result.mesh.faces), *figures(result)] for name, result in results.items()],
         checks=[

@@ -17,7 +17,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Entry:
-    """One figure or table of the paper, done again."""
+    """One figure or table of the paper, reproduced."""
 
     title: str
     claim: str

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does every figure and table of the paper again, with the plugin's filters in pymeshlab.
+"""Reproduces every figure and the table of the paper with the plugin's filters in pymeshlab.
 
     reproduce.py --project DIR [--meshes DIR] [--page FILE]
 
 Writes docs/paper.md and docs/images/paper/ of the project. MESHES holds the public test models that the paper
-shows; without it the project's own sample meshes stand for them, and the page says so.
+shows. Without it the project's own sample meshes stand for them, and the page says so.
 """
 
 import argparse
@@ -63,14 +63,13 @@ def head(studio: Studio, are_test_models: bool) -> list[str]:
         "# The paper, figure by figure",
         "",
         "Lin Zhang, Zhen Ma, Zhong Zhou and Wei Wu, *Laplacian-Based Feature Preserving Mesh Simplification* (2012): "
-        "each of its figures and its table done again with this plugin's filters, the claim in one sentence, and "
-        "whether the numbers agree. A claim *holds* where all of its checks do, *holds in part* where some do. "
-        "`scripts/reproduce [--meshes DIR]` writes "
-        "this page.",
+        "every figure and the table, reproduced with this plugin's filters, with the claim in one sentence and a check "
+        "of the numbers. A claim *holds* if all of its checks agree, and *holds in part* if some of them agree. "
+        "`scripts/reproduce [--meshes DIR]` writes this page.",
         "",
         f"Meshes: {meshes}, welded, in pymeshlab {version('pymeshlab')} on {platform.system()} ({platform.machine()}).",
         "",
-        *table(["mesh", "vertices", "faces", "part"], rows),
+        *table(["mesh", "vertices", "faces", "role"], rows),
         "",
     ]
 

@@ -11,7 +11,7 @@
 #include <vcg/complex/allocate.h>
 #include <vcg/complex/algorithms/update/topology.h>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
 
 namespace vcg_ext
 {

@@ -14,7 +14,7 @@
 #include <vcg/complex/algorithms/update/curvature.h>
 #include <vcg/complex/algorithms/update/topology.h>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 
 namespace vcg_ext

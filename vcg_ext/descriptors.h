@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/curvature.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/mesh_arrays.h"
@@ -46,18 +46,16 @@ inline std::vector<double> Absolute(std::vector<double> values)
 /// Adding a descriptor means one function and one row; the enum is the index of the row.
 inline constexpr DescriptorRow kDescriptors[] = {
     {Descriptor::Laplacian, "laplacian", "Laplacian",
-     "Length of the mean edge along the vertex normal, relative to the mean edge length (Eq. 5 of Zhang et "
-     "al. "
+     "Mean of the edge vectors along the vertex normal, divided by the mean edge length (Eq. 5 of Zhang et al. "
      "2012); from 0 to 1, the same at every scale",
      [](const MeshView& mesh, int threads) { return LaplacianDescriptor(mesh, threads); }},
-    {Descriptor::NormalizedUmbrella, "normalised_umbrella", "Normalised umbrella",
-     "The same with every edge brought to length 1, so that long edges do not outweigh short ones",
+    {Descriptor::NormalizedUmbrella, "normalised_umbrella", "Normalized umbrella",
+     "The same with every edge scaled to length 1, so that long edges do not outweigh short ones",
      [](const MeshView& mesh, int threads) {
          return OneRingDescriptor<NormalizedUmbrellaFold>(mesh, threads);
      }},
     {Descriptor::MeanCurvature, "mean_curvature", "Mean curvature",
-     "Magnitude of the mean curvature (Meyer et al. 2002, by VCG), in 1 / length; non-manifold edges count "
-     "as "
+     "Magnitude of the mean curvature (Meyer et al. 2002, by VCG), in 1 / length; non-manifold edges count as "
      "borders",
      [](const MeshView& mesh, int) { return Absolute(ComputeDiscreteCurvatures(mesh).mean); }},
     {Descriptor::GaussianCurvature, "gaussian_curvature", "Gaussian curvature",
@@ -65,9 +63,8 @@ inline constexpr DescriptorRow kDescriptors[] = {
      "edges count as borders",
      [](const MeshView& mesh, int) { return Absolute(ComputeDiscreteCurvatures(mesh).gaussian); }},
     {Descriptor::CurvatureEstimation, "curvature_estimation", "Curvature estimation",
-     "Mean over the neighbours of |2 n.e| / |e|^2, in 1 / length; after Wang et al. 2011, whose paper was "
-     "not "
-     "at hand, so the formula is ours",
+     "Mean of |2 n.e| / |e|^2 over the neighbors, in 1 / length; named after Wang et al. 2011, whose paper was not "
+     "available, so the formula is ours",
      [](const MeshView& mesh, int threads) {
          return OneRingDescriptor<CurvatureEstimationFold>(mesh, threads);
      }},
@@ -99,7 +96,7 @@ inline std::vector<double> RescaledToUnit(std::vector<double> values, double top
     const auto bad = std::count_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); });
     if (bad > 0)
         throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(values.size()) +
-                                    " descriptors are not finite");
+                                    " descriptor values are not finite");
     if (values.empty()) return values;
     std::vector<double> order = values;
     const double low = *std::min_element(values.begin(), values.end());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -11,7 +10,7 @@
 
 #include <vcg/complex/complex.h>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext
 {
@@ -84,20 +83,5 @@ class MeshArrays
         return outside;
     }
 };
-
-/// Referenced vertices with a coordinate that is not a finite number.
-inline std::size_t CountNonFinite(const MeshView& view)
-{
-    std::vector<bool> counted(view.vertexCount);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < 3 * view.faceCount; ++k) {
-        const std::uint32_t v = view.triangles[k];
-        if (counted[v]) continue;
-        counted[v] = true;
-        const auto p = view.Position(v);
-        count += !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
-    }
-    return count;
-}
 
 } // namespace vcg_ext

@@ -12,17 +12,16 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
 
-/// For every vertex of \p original the nearest one of \p simplified that is on a face; 0xFFFFFFFF where there
-/// is none. Stands in for the map of a collapse that nobody kept.
+/// For every vertex of \p original the nearest one of \p simplified that is on a face; kNone where there is
+/// none. Stands in for the map of a collapse that nobody kept.
 inline Buffer<std::uint32_t> NearestVertices(const SurfaceArrays& original, const SurfaceArrays& simplified,
                                              int threads = 1)
 {
-    constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
     const auto pointOf = [](const SurfacePoint& p) { return vcg::Point3f(p.x, p.y, p.z); };
     std::vector<vcg::Point3f> points;
     std::vector<std::uint32_t> vertices;
@@ -32,7 +31,7 @@ inline Buffer<std::uint32_t> NearestVertices(const SurfaceArrays& original, cons
         vertices.push_back(v);
     }
     Buffer<std::uint32_t> nearest(original.VertexCount());
-    std::fill(nearest.begin(), nearest.end(), kNoVertex);
+    std::fill(nearest.begin(), nearest.end(), kNone);
     if (points.empty()) return nearest;
     vcg::KdTree<float> tree(vcg::VectorConstDataWrapper<std::vector<vcg::Point3f>>{points});
     ParallelRanges(threads, nearest.size(), 4096, [&](std::size_t begin, std::size_t end, int) {

@@ -11,7 +11,7 @@
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/nearest_vertices.h"
 #include "vcg_ext/core/refine/refine.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {
@@ -35,15 +35,15 @@ RefinementReport RefineMesh(Mesh& simplified, const Original& original,
     MeshView view = simplifiedArrays.View();
     if (!fixed.empty()) view.fixedVertices = fixed.data();
     const int threads = ResolveThreads(parameters.threads);
-    const SurfaceFrame frame = FrameOf(originalArrays.View());
+    const Frame frame = FrameOf(originalArrays.View());
     const SurfaceArrays before = BuildSurfaceArrays(originalArrays.View(), frame, nullptr, threads);
     SurfaceArrays after = BuildSurfaceArrays(view, frame, nullptr, threads);
     const RefinementReport report =
         Refine(before, after, NearestVertices(before, after, threads), parameters);
 
-    for (std::size_t v = 0; v < after.VertexCount(); ++v) {
+    for (std::uint32_t v = 0; v < after.VertexCount(); ++v) {
         if (!(after.flags[v] & kMovedVertex)) continue;
-        const auto p = frame.FromFrame(after.points[v]);
+        const auto p = frame.OutOf(PositionOf(after, v));
         for (int k = 0; k < 3; ++k)
             simplified.vert[v].P()[k] = static_cast<Scalar>(p[static_cast<std::size_t>(k)]);
     }

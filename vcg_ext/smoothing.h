@@ -7,13 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/parallel.h"
@@ -35,12 +35,12 @@ struct UmbrellaOperatorRow {
 
 inline constexpr UmbrellaOperatorRow kUmbrellaOperators[] = {
     {UmbrellaOperator::Uniform, "umbrella", "Umbrella",
-     "To the centroid of the neighbours: every edge has the same weight (Eq. 1)"},
+     "Toward the centroid of the neighbors: every edge has the same weight (Eq. 1)"},
     {UmbrellaOperator::ScaleDependent, "scale_dependent", "Scale-dependent umbrella",
-     "Edges weigh 1 / length (Eq. 2, after Fujiwara 1995), so long ones do not draw vertices along the "
+     "Edges have weight 1 / length (Eq. 2, after Fujiwara 1995), so long edges do not pull vertices along the "
      "surface"},
     {UmbrellaOperator::NormalDependent, "normal_dependent", "Normal-dependent umbrella",
-     "The umbrella's part along the vertex normal (Eq. 3): vertices of a plane stay where they are"},
+     "The component of the umbrella vector along the vertex normal (Eq. 3): vertices in a plane do not move"},
 };
 
 /// What smoothing does at open borders: edges with one face.
@@ -182,23 +182,22 @@ class UmbrellaRings
 };
 
 /// Positions after smoothing; those of vertices without faces, outside the mask or on a fixed border are the
-/// input's. Empty where the progress callback stopped the run.
-/// \pre as OneRings \throws std::invalid_argument where a parameter is outside its range
-inline std::optional<std::vector<Coordinates>> SmoothedPositions(const MeshView& mesh,
-                                                                 const SmoothingParameters& parameters)
+/// input's.
+/// \pre as OneRings \throws std::invalid_argument where a parameter is outside its range, Cancelled
+inline std::vector<Coordinates> SmoothedPositions(const MeshView& mesh, const SmoothingParameters& parameters)
 {
     if (parameters.steps < 1 || parameters.steps > 10000)
         throw std::invalid_argument("steps = " + std::to_string(parameters.steps) + " is outside [1, 10000]");
     if (!(parameters.stepSize > 0 && parameters.stepSize <= 1))
         throw std::invalid_argument("step_size = " + std::to_string(parameters.stepSize) +
                                     " is outside (0, 1]");
+    const StageProgress progress(parameters.progress);
     const UmbrellaRings rings(mesh, parameters.boundary, parameters.movable);
     std::vector<Coordinates> now(mesh.vertexCount), next(mesh.vertexCount);
     for (std::size_t v = 0; v < mesh.vertexCount; ++v) now[v] = mesh.Position(v);
-    const int threads = ThreadsThatPay(parameters.threads, mesh.faceCount);
+    const int threads = UsefulThreadCount(parameters.threads, mesh.faceCount);
     for (int step = 0; step < parameters.steps; ++step) {
-        if (parameters.progress && !parameters.progress(100 * step / parameters.steps, "Umbrella smoothing"))
-            return std::nullopt;
+        progress(100 * step / parameters.steps, "Umbrella smoothing");
         constexpr std::size_t kGrain = 2048;
         ParallelRanges(threads, mesh.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) {
@@ -213,21 +212,18 @@ inline std::optional<std::vector<Coordinates>> SmoothedPositions(const MeshView&
 }
 
 /// Smooths any VCG triangle mesh in place: positions only; normals are the caller's.
-/// \returns false where the progress callback stopped the run; the mesh is untouched then
-/// \throws as SmoothedPositions
+/// \throws as SmoothedPositions; the mesh is untouched then
 template <class Mesh>
-bool UmbrellaSmooth(Mesh& mesh, const SmoothingParameters& parameters)
+void UmbrellaSmooth(Mesh& mesh, const SmoothingParameters& parameters)
 {
     using Scalar = typename Mesh::ScalarType;
     const auto positions = SmoothedPositions(MeshArrays<Mesh>(mesh).View(), parameters);
-    if (!positions) return false;
     for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
         if (mesh.vert[v].IsD()) continue;
-        const Coordinates& p = (*positions)[v];
+        const Coordinates& p = positions[v];
         mesh.vert[v].P() = typename Mesh::CoordType(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]),
                                                     static_cast<Scalar>(p[2]));
     }
-    return true;
 }
 
 } // namespace vcg_ext

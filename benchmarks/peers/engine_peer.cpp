@@ -46,8 +46,9 @@ int Run(PeerMesh& mesh, Effort effort, int threads)
     parameters.targetFaces = mesh.targetFaces;
     parameters.effort = effort;
     parameters.threads = threads;
+    parameters.measureError = false;
     const PeerTimer timer(mesh);
-    Store(vcg_ext::Decimate(ViewOf(mesh), parameters), mesh);
+    Store(vcg_ext::Decimate(ViewOf(mesh), parameters).mesh, mesh);
     return 0;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sweep engine in a program without MeshLab and without vcglib:
+// Simplification in a program that has its own arrays, without MeshLab and without vcglib:
 //
 //     simplify_arrays FACES [OUTPUT.off]
 //
 // makes a relief of 180,000 triangles, simplifies it to FACES and writes the result as OFF.
-// Compile with: c++ -std=c++17 -O3 -fopenmp -ffp-contract=off -fno-math-errno -I <top of the project>
+// With CMake, link laplacian_simplify::core. Without:
+// c++ -std=c++17 -O3 -fopenmp -ffp-contract=off -fno-math-errno -I <top of the project> simplify_arrays.cpp
 
 #include <array>
 #include <cmath>
@@ -15,11 +16,12 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "vcg_ext/core/collapse/engine.h"
+#include "vcg_ext/core/simplify.h"
 
 namespace
 {
@@ -61,6 +63,7 @@ vcg_ext::MeshView ViewOf(const Mesh& mesh)
 void WriteOff(const vcg_ext::DecimatedMesh& mesh, const std::string& path)
 {
     std::ofstream file(path);
+    file.precision(std::numeric_limits<double>::max_digits10);
     file << "OFF\n" << mesh.positions.size() << ' ' << mesh.triangles.size() << " 0\n";
     for (const auto& p : mesh.positions) file << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
     for (const auto& t : mesh.triangles) file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
@@ -78,14 +81,13 @@ int Simplify(int argc, char** argv)
     vcg_ext::DecimationParameters parameters;
     parameters.targetFaces = static_cast<std::size_t>(std::atol(argv[1]));
     parameters.effort = vcg_ext::Effort::Fast; // Balanced also refines what is left
-    parameters.featureWeight = 2;
-    parameters.boundary = vcg_ext::Boundary::Preserve;
-    const vcg_ext::DecimatedMesh result = vcg_ext::DecimateSweeps(ViewOf(mesh), parameters);
+    parameters.measureError = false;           // otherwise the report has the distances
+    const vcg_ext::Simplification result = vcg_ext::Simplify(ViewOf(mesh), parameters);
 
-    std::cout << mesh.triangles.size() / 3 << " faces became " << result.triangles.size() << '\n';
-    if (result.stopReason == vcg_ext::StopReason::NoLegalCollapse)
+    std::cout << result.report.facesBefore << " faces became " << result.report.faces << '\n';
+    if (result.report.stopReason == vcg_ext::StopReason::NoLegalCollapse)
         std::cout << "no further collapse is possible without damage\n";
-    if (argc > 2) WriteOff(result, argv[2]);
+    if (argc > 2) WriteOff(result.mesh, argv[2]);
     return 0;
 }
 

@@ -8,7 +8,7 @@
 
 #include "filters.h"
 
-/// The tables of filters and parameters as MeshLab 2020.09 wants to see them.
+/// The tables of filters and parameters behind the plugin interface of MeshLab 2020.09.
 class FilterLaplacianSimplify : public QObject, public MeshFilterInterface
 {
     Q_OBJECT
@@ -28,12 +28,11 @@ class FilterLaplacianSimplify : public QObject, public MeshFilterInterface
     using MeshFilterInterface::initParameterSet;
     void initParameterSet(QAction* action, MeshDocument& document, RichParameterList& parameters) override;
 
-    /// False on failure, with a sentence for the user in errorMsg() and in the log; throws nothing. The mesh
-    /// is then as it was.
+    /// False on failure, with a sentence for the user in errorMsg() and in the log; the mesh is then
+    /// unchanged. Throws nothing.
     bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& parameters,
                      vcg::CallBackPos* callback) override;
 
   private:
     const laplacian_simplify::Filter& RowOf(QAction* action) const;
-    bool Fail(const QString& sentence);
 };

@@ -2,57 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host_2022/filter_laplacian_simplify.h"
 
-#include <new>
-#include <optional>
-#include <stdexcept>
-
 #include "filter_functions.h"
-#include "host_2022/meshlab_host.h"
-#include "number_text.h"
-#include "values.h"
+#include "host_shared/failure.h"
+#include "host_shared/meshlab_host.h"
+#include "host_shared/meshlab_parameters.h"
 
 using namespace laplacian_simplify;
 
 namespace
 {
-
-QString ToQt(const std::string& text)
-{
-    return QString::fromStdString(text);
-}
-
-void AddParameter(RichParameterList& list, const Parameter& row, double value)
-{
-    const QString id = row.id, label = row.label, help = row.help;
-    switch (row.type) {
-    case ParameterType::Boolean:
-        list.addParam(RichBool(id, value != 0, label, help));
-        break;
-    case ParameterType::Integer:
-        list.addParam(RichInt(id, static_cast<int>(value), label, help));
-        break;
-    case ParameterType::Real:
-        list.addParam(RichFloat(id, static_cast<Scalarm>(value), label, help));
-        break;
-    case ParameterType::Choice: {
-        QStringList texts;
-        for (const Option& option : row.options) texts << ToQt(option.text);
-        list.addParam(RichEnum(id, static_cast<int>(value), texts, label, help));
-        break;
-    }
-    }
-}
-
-std::optional<GivenValue> Given(const RichParameterList& list, const Parameter& row)
-{
-    if (!list.hasParameter(row.id)) return std::nullopt;
-    const Value& value = list.getParameterByName(row.id).value();
-    if (value.isBool()) return value.getBool() ? 1.0 : 0.0;
-    if (value.isInt()) return static_cast<double>(value.getInt());
-    if (value.isFloat()) return ExactDecimal(value.getFloat());
-    if (value.isString()) return value.getString().toStdString();
-    return value.typeName().toStdString();
-}
 
 QVariant ToQt(const Report::Value& value)
 {
@@ -98,7 +56,7 @@ QString FilterLaplacianSimplify::pythonFilterName(ActionIDType filter) const
 
 QString FilterLaplacianSimplify::filterInfo(ActionIDType filter) const
 {
-    return ToQt(Description(Row(static_cast<FilterId>(filter))));
+    return QString::fromStdString(Description(Row(static_cast<FilterId>(filter))));
 }
 
 const Filter& FilterLaplacianSimplify::RowOf(const QAction* action) const
@@ -124,10 +82,8 @@ int FilterLaplacianSimplify::postCondition(const QAction* action) const
 RichParameterList FilterLaplacianSimplify::initParameterList(const QAction* action,
                                                              const MeshDocument& document)
 {
-    const auto facts = [&] { return document.mm() ? FactsOf(document.mm()->cm) : MeshFacts{}; };
     RichParameterList list;
-    for (const Parameter* row : ParametersOf(RowOf(action).id))
-        AddParameter(list, *row, DefaultOf(*row, facts));
+    AddParameters(list, RowOf(action).id, document);
     return list;
 }
 
@@ -137,21 +93,15 @@ std::map<std::string, QVariant> FilterLaplacianSimplify::applyFilter(const QActi
                                                                      unsigned int& postConditionMask,
                                                                      vcg::CallBackPos* callback)
 {
-    try {
+    std::map<std::string, QVariant> results;
+    const auto failure = FailureOf([&] {
         MeshLabHost host(document, callback, [this](const std::string& line) { log(line); });
-        const Report report =
-            ApplyFilter(RowOf(action).id, host, [&](const Parameter& row) { return Given(parameters, row); });
-        postConditionMask = static_cast<unsigned int>(postCondition(action));
-        std::map<std::string, QVariant> results;
+        const Report report = ApplyFilter(RowOf(action).id, host, ValuesIn(parameters));
         for (const auto& [id, value] : report.Entries()) results[id] = ToQt(value);
-        return results;
-    } catch (const std::bad_alloc&) {
-        throw MLException("not enough memory; the mesh is unchanged");
-    } catch (const std::exception& error) {
-        throw MLException(QString::fromUtf8(error.what()));
-    } catch (...) {
-        throw MLException("unknown failure");
-    }
+    });
+    if (failure) throw MLException(QString::fromStdString(*failure));
+    postConditionMask = static_cast<unsigned int>(postCondition(action));
+    return results;
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterLaplacianSimplify)

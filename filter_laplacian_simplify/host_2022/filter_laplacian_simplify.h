@@ -11,7 +11,7 @@
 
 #include "filters.h"
 
-/// The tables of filters and parameters as MeshLab 2022.02 and later want to see them.
+/// The tables of filters and parameters behind the plugin interface of MeshLab 2022.02 and later.
 class FilterLaplacianSimplify : public QObject, public FilterPlugin
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ class FilterLaplacianSimplify : public QObject, public FilterPlugin
     using FilterPlugin::initParameterList;
     RichParameterList initParameterList(const QAction* action, const MeshDocument& document) override;
 
-    /// \throws MLException with a sentence for the user, nothing else; the mesh is then as it was
+    /// \throws MLException with a sentence for the user, nothing else; the mesh is then unchanged
     std::map<std::string, QVariant> applyFilter(const QAction* action, const RichParameterList& parameters,
                                                 MeshDocument& document, unsigned int& postConditionMask,
                                                 vcg::CallBackPos* callback) override;

@@ -61,8 +61,9 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     """The parameters that were given, all of them in their range."""
     names = [row.id for row in command.filter.parameters if row.id not in WITHOUT_OPTION]
     values = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
-    if values.get("target_percent") == 0:  # for the filter it means: use the number
-        raise ValueError("target_percent = 0 is outside (0, 100] (percent of the faces)")
+    percent = values.get("target_percent", 100)
+    if not 0 < percent <= 100:  # 0 would tell the filter to use target_faces
+        raise ValueError(f"target_percent = {percent:g} is outside (0, 100] (percent of the faces)")
     checked(command.filter, values)
     return values
 

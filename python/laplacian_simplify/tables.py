@@ -45,7 +45,8 @@ class Parameter:
         if value in ids:
             return ids.index(str(value))
         if not isinstance(value, bool | int | float) or not self._contains(value):
-            raise ValueError(f"{self.id} = {_shown(value)} is outside {self.range_text}")
+            relation = "not one of" if self.options else "outside"
+            raise ValueError(f"{self.id} = {_shown(value)} is {relation} {self.range_text}")
         if self.type != "real" and value != int(value):
             raise ValueError(f"{self.id} = {_shown(value)} is not a whole number in {self.range_text}")
         return value

@@ -59,9 +59,9 @@ def test_the_commands(tmp_path: Path) -> None:
     for command in commands:
         assert (TOP / command[0]).is_file()
     (simplify,) = [command for command in commands if command[0] == "scripts/simplify"]
-    (tmp_path / "input.ply").write_bytes((SAMPLE_MESHES / "flange.ply").read_bytes())
+    (tmp_path / "sample_meshes").symlink_to(SAMPLE_MESHES)  # the command runs as it stands, but in a scratch folder
     assert run_command("simplify", *simplify[1:], cwd=tmp_path).returncode == 0
-    assert (tmp_path / "output.ply").is_file()
+    assert faces_in(tmp_path / "small.ply") <= 2368
 
 
 @pytest.mark.parametrize("page", ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "sample_meshes/README.md"])

@@ -135,6 +135,18 @@ QString FailureOf(PlainHost& host, FilterId filter, const std::map<std::string, 
     return {};
 }
 
+/// The same triangles with vertices of their own, as STL files store them.
+test_meshes::IndexedMesh Soup(const test_meshes::IndexedMesh& mesh)
+{
+    test_meshes::IndexedMesh soup;
+    for (const auto& triangle : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(soup.points.size());
+        for (const auto v : triangle) soup.points.push_back(mesh.points[v]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    return soup;
+}
+
 /// The faces whose centroid has a positive x.
 void SelectHalf(PlainMesh& mesh)
 {
@@ -177,7 +189,9 @@ class TestFilters : public QObject
     void deletedElementsAreNotThere_data() { EveryFilter(); }
     void deletedElementsAreNotThere();
     void stoppedDecimationSaysSo();
-    void progressIsCalm();
+    void logTellsWhatBecameOfTheFaces();
+    void logTellsWhyTheTargetWasMissed();
+    void progressIsThrottled();
     void percentilesAreThoseOfTheSortedValues();
     void descriptorChangesOnlyTheSelection();
     void selectionOfFacesSurvivesTheSelectionOfVertices();
@@ -244,8 +258,8 @@ void TestFilters::coordinatesThatAreNoNumbersAreRefusedWithTheirCount()
     host.Mesh().vert[3].P()[1] = std::numeric_limits<float>::quiet_NaN();
     host.Mesh().vert[5].P()[0] = std::numeric_limits<float>::infinity();
     host.Mesh().vert[7].P()[2] = 1e30F;
-    QCOMPARE(FailureOf(host, filter), "the mesh is unusable: 3 of 98 vertices have coordinates that are not "
-                                      "finite numbers up to 1e18");
+    QCOMPARE(FailureOf(host, filter),
+             "the mesh is unusable: the coordinates of 3 of 98 vertices are not finite or larger than 1e18");
 }
 
 void TestFilters::selectionIsAskedForWhereThereIsNone()
@@ -269,7 +283,7 @@ void TestFilters::stoppedRunLeavesTheMeshAsItWas()
     QVERIFY(Fingerprint(host.Mesh()) == before);
     QCOMPARE(host.Layers(), std::size_t{1});
     const QString said = failure.isEmpty() ? QString::fromStdString(host.log.back()) : failure;
-    QCOMPARE(said, "cancelled; the mesh is unchanged");
+    QCOMPARE(said, "canceled; the mesh is unchanged");
 }
 
 void TestFilters::deletedElementsAreNotThere()
@@ -305,11 +319,50 @@ void TestFilters::stoppedDecimationSaysSo()
     QCOMPARE(Get<int>(report, "vertices"), 642);
 }
 
-void TestFilters::progressIsCalm()
+void TestFilters::logTellsWhatBecameOfTheFaces()
+{
+    vcg_ext::DecimationReport report;
+    report.facesBefore = 23680;
+    report.faces = 2368;
+    report.vertices = 1184;
+    report.seconds = 0.5512;
+    report.stopReason = vcg_ext::StopReason::Target;
+    report.distances = {0.51234, 0.0123, 0.009, 1200};
+    report.edges.boundary = 1500;
+    const std::vector<std::string> expected = {
+        "23,680 -> 2,368 faces (10 %), 1,184 vertices, 0.55 s; target reached",
+        "Distances in percent of the bounding box diagonal: largest (Hausdorff) 0.5123, rms 0.0123, "
+        "rms at features 0.009; folded faces: 1,200",
+        "Non-manifold edges: 0, boundary edges: 1,500"};
+    QCOMPARE(LogLines(report, 2368), expected);
+}
+
+void TestFilters::logTellsWhyTheTargetWasMissed()
+{
+    vcg_ext::DecimationReport report;
+    report.faces = 1000;
+    report.stopReason = vcg_ext::StopReason::NoLegalCollapse;
+    report.edges.boundary =
+        2000; // a strip of triangles has about one open edge a face, scattered pairs have two
+    QCOMPARE(StopDescription(report, 1200),
+             std::string("target of 1,200 faces not reached: no further collapse is possible without damage "
+                         "(flipped faces, non-manifold edges, changes to locked parts)"));
+    PlainHost soup(Soup(test_meshes::Icosphere(2)));
+    soup.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}});
+    QCOMPARE(soup.log.front().substr(soup.log.front().find("target")),
+             std::string("target of 32 faces not reached: most faces are not connected; "
+                         "apply \"Merge Close Vertices\" first"));
+    report.stopReason = vcg_ext::StopReason::ErrorBound;
+    QCOMPARE(StopDescription(report, 500),
+             std::string("target of 500 faces not reached: every further collapse "
+                         "would exceed the error bound"));
+}
+
+void TestFilters::progressIsThrottled()
 {
     int calls = 0;
-    CalmProgress::Clock::time_point now{std::chrono::hours(1)};
-    CalmProgress progress([&](int, const char*) { return ++calls < 2; }, [&] { return now; });
+    ThrottledProgress::Clock::time_point now{std::chrono::hours(1)};
+    ThrottledProgress progress([&](int, const char*) { return ++calls < 2; }, [&] { return now; });
     for (int i = 0; i < 1000; ++i) QVERIFY(progress(i / 10, "at once"));
     QCOMPARE(calls, 1);
     now += std::chrono::milliseconds(101); // ten times a second
@@ -454,7 +507,7 @@ void TestFilters::qualityThatIsNoNumberIsRefused()
     for (const FilterId filter :
          {FilterId::FeatureSelection, FilterId::GuidedDecimation, FilterId::WeightedDecimation})
         QCOMPARE(FailureOf(host, filter, {{"descriptor", 5.0}}),
-                 "descriptor = vertex quality: 1 of 98 vertices have a quality that is not finite");
+                 "descriptor = vertex_quality, but the quality is not finite at 1 of 98 vertices");
 }
 
 QTEST_APPLESS_MAIN(TestFilters)

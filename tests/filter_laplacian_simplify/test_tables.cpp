@@ -240,7 +240,7 @@ void TestTables::defaultLiesInTheRangeOnEveryMesh()
     QFETCH(const Parameter*, parameter);
     for (const MeshFacts& facts : kMeshes)
         QCOMPARE(Complaint(*parameter, parameter->Default(facts)), QString());
-    QCOMPARE(parameter->defaultValue.onMesh != nullptr, *parameter->defaultValue.words != '\0');
+    QCOMPARE(parameter->defaultValue.onMesh != nullptr, *parameter->defaultValue.description != '\0');
 }
 
 void TestTables::everyRowIsExplained()
@@ -294,7 +294,14 @@ void TestTables::refusalsAreSentences()
     QCOMPARE(Complaint(Find(guided, "target_faces"), -5.0),
              "target_faces = -5 is outside [1, 2147483647] (faces)");
     QCOMPARE(Complaint(Find(guided, "effort"), 7.0),
-             "effort = 7 is outside [0, 2] (0 fast, 1 balanced, 2 best)");
+             "effort = 7 is not one of fast (0), balanced (1), best (2)");
+    QCOMPARE(Complaint(Find(guided, "effort"), 0.5),
+             "effort = 0.5 is not one of fast (0), balanced (1), best (2)");
+    QCOMPARE(Complaint(Find(guided, "effort"), std::string("Best")),
+             "effort = \"Best\" is not one of fast (0), balanced (1), best (2)");
+    QCOMPARE(Complaint(Find(guided, "new_layer"), 2.0), "new_layer = 2 is not true or false");
+    QCOMPARE(Complaint(Find(guided, "target_percent"), 200.0),
+             "target_percent = 200 is outside [0, 100] (percent of the faces)");
     QCOMPARE(Complaint(Find(guided, "threads"), 1.5), "threads = 1.5 is not a whole number in [0, 1024]");
     QCOMPARE(Complaint(Find(guided, "threads"), std::string("all")),
              "threads = \"all\" is not a number in [0, 1024]");
@@ -341,6 +348,12 @@ void TestTables::numbersAreWrittenWithoutLocale()
     QCOMPARE(NumberText(-5), std::string("-5"));
     QCOMPARE(NumberText(2147483647), std::string("2147483647"));
     QCOMPARE(RoundedText(0.0123456, 3), std::string("0.0123"));
+    QCOMPARE(FixedText(0.005, 2), std::string("0.01")); // the double is just above 0.005
+    QCOMPARE(FixedText(1234.5, 2), std::string("1234.50"));
+    QCOMPARE(CountText(0), std::string("0"));
+    QCOMPARE(CountText(999), std::string("999"));
+    QCOMPARE(CountText(1000), std::string("1,000"));
+    QCOMPARE(CountText(17834496), std::string("17,834,496"));
 }
 
 void TestTables::floatsBecomeTheDecimalThatWasTyped()

@@ -75,7 +75,7 @@ def test_every_choice(
         ("target_percent", 200, "target_percent = 200 is outside [0, 100]"),
         ("target_faces", -5, "target_faces = -5 is outside [1, 2147483647]"),
         ("feature_weight", math.nan, "feature_weight = nan is outside [0, 50]"),
-        ("effort", 7, "effort = 7 is outside [0, 2]"),
+        ("effort", 7, "effort = 7 is not one of fast (0), balanced (1), best (2)"),
     ],
 )
 def test_bad_value_is_refused_by_name(

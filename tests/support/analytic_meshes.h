@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
 /// Meshes whose truth is known by formula, as plain arrays. Closed ones are oriented outwards, flat ones
 /// upwards (+z).
@@ -216,6 +216,16 @@ inline IndexedMesh Merged(IndexedMesh a, const IndexedMesh& b)
     a.fauxEdges.insert(a.fauxEdges.end(), b.fauxEdges.begin(), b.fauxEdges.end());
     a.fauxEdges.resize(a.triangles.size(), 0);
     return a;
+}
+
+/// A sphere in a slightly larger one that looks the other way: a shell with an inside and an outside.
+inline IndexedMesh Shell(int levels, double thickness)
+{
+    IndexedMesh inner = Icosphere(levels);
+    for (auto& p : inner.points)
+        for (double& x : p) x *= 1 - thickness;
+    for (auto& t : inner.triangles) std::swap(t[1], t[2]);
+    return Merged(Icosphere(levels), inner);
 }
 
 /// Two pyramids that share nothing but their apex: a non-manifold vertex (0).

@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/guided.h"
 #include "vcg_ext/ordered/measured.h"
 #include "vcg_ext/ordered/mesh.h"
@@ -32,7 +34,6 @@ namespace vcg_ext
 /// The decimation of Zhang et al., "Laplacian-Based Feature Preserving Mesh Simplification" (2012).
 struct WeightedParameters : WeightedCollapseParameters {
     std::size_t targetFaces = 0; ///< at least 1
-    Progress progress;           ///< may be empty
 };
 
 namespace ordered_detail
@@ -40,7 +41,7 @@ namespace ordered_detail
 
 template <class Method>
 OrderedDecimation Decimated(CollapsibleMesh& mesh, Method method, std::size_t targetFaces,
-                            const Progress& progress)
+                            const StageProgress& progress)
 {
     CollapseRun<OrderedMesh, Method> run(mesh.mesh(), method);
     const StopReason reason = run.Decimate(targetFaces, progress);
@@ -71,8 +72,9 @@ void CheckLength(const std::vector<Value>& values, const MeshView& view, const c
 } // namespace ordered_detail
 
 /// Decimates by the guided collapse in the order of its cost, or of measured error where the effort is Best.
-/// \pre finite coordinates, indices below vertexCount, parameters in their ranges
-inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationParameters& parameters)
+/// \throws Cancelled \pre finite coordinates, indices below vertexCount, parameters in their ranges
+inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationParameters& parameters,
+                                         const StageProgress& progress = {})
 {
     CollapsibleMesh mesh(view);
     GuidedParameters guided;
@@ -81,8 +83,11 @@ inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationP
     guided.preserveTopology = parameters.preserveTopology;
     guided.fixedVertices = mesh.FixedVertices(parameters.boundary);
     const auto decimated = [&](auto method) {
-        return ordered_detail::Decimated(mesh, std::move(method), parameters.targetFaces,
-                                         parameters.progress);
+        std::vector<float> descriptor = method.Descriptor();
+        auto decimation =
+            ordered_detail::Decimated(mesh, std::move(method), parameters.targetFaces, progress);
+        decimation.descriptor = std::move(descriptor);
+        return decimation;
     };
     if (parameters.effort == Effort::Best)
         return decimated(MeasuredCollapse<OrderedMesh>(mesh.mesh(), std::move(guided)));
@@ -107,19 +112,20 @@ inline std::vector<double> AbsoluteCurvature(const std::vector<double>& mean,
 /// Decimates in the order of f = g e^{lambda l}. MeshView::fixedVertices stay, its guidance is not read.
 /// \pre finite coordinates
 /// \throws std::invalid_argument where a vector of the parameters does not fit the view, or lambda is not a
-///         number of 0 or more
-inline OrderedDecimation DecimateWeighted(const MeshView& view, WeightedParameters parameters)
+///         number of 0 or more; Cancelled
+inline OrderedDecimation DecimateWeighted(const MeshView& view, WeightedParameters parameters,
+                                          const StageProgress& progress = {})
 {
     ordered_detail::CheckLength(parameters.descriptor, view, "descriptor");
     ordered_detail::CheckLength(parameters.quadricWeights, view, "quadric weights");
     ordered_detail::CheckLength(parameters.featureClass, view, "feature classes");
     if (!(parameters.featureWeight >= 0))
         throw std::invalid_argument("feature_weight = " + std::to_string(parameters.featureWeight) +
-                                    " is below 0");
+                                    " is less than 0");
     CollapsibleMesh mesh(view);
     if (parameters.fixedVertices.empty()) parameters.fixedVertices = mesh.FixedVertices(Boundary::Preserve);
     return ordered_detail::Decimated(mesh, WeightedCollapse<OrderedMesh>(mesh.mesh(), parameters),
-                                     parameters.targetFaces, parameters.progress);
+                                     parameters.targetFaces, progress);
 }
 
 } // namespace vcg_ext

@@ -24,11 +24,11 @@ struct RemovedFace {
 
 /// What an error function sees of an edge; points count from the removed vertex, in the engine's frame.
 struct CollapseSurroundings {
-    Vector3d kept;                            ///< the other end
-    std::vector<RemovedFace> removedFaces;    ///< every face of the removed vertex
-    std::vector<StarFace> stayingFaces;       ///< of the removed vertex; of the kept one too where it moves
-    sweeps::CentredQuadric<double> quadric{}; ///< of both ends, accumulated
-    bool keptStays = true;                    ///< the kept end may not move
+    Vector3d kept;                         ///< the other end
+    std::vector<RemovedFace> removedFaces; ///< every face of the removed vertex
+    std::vector<StarFace> stayingFaces;    ///< of the removed vertex; of the kept one too where it moves
+    CentredQuadric<double> quadric{};      ///< of both ends, accumulated
+    bool keptStays = true;                 ///< the kept end may not move
 };
 
 /// The price of a collapse and where the survivor goes.
@@ -51,14 +51,15 @@ constexpr double kErrorTieBreak = 1e-12;
 inline std::optional<CollapseError> QuadricError(const CollapseSurroundings& edge)
 {
     constexpr double kWorstQuality = 1e-9, kQualityClamp = .3;
-    const sweeps::CentredQuadric<double>& quadric = edge.quadric;
+    const CentredQuadric<double>& quadric = edge.quadric;
     Vector3d x = edge.kept;
     if (!edge.keptStays) {
         const Vector3d middle = .5 * edge.kept;
         const Vector3d slope = -1.0 * (quadric.matrix * middle + quadric.linear);
-        const Vector3d pulled = SolveRegularized(quadric.matrix, slope);
+        const double pull = MidpointPull(quadric.matrix);
+        const Vector3d pulled = SolveRegularized(quadric.matrix, slope, pull);
         // One step of refinement: where the quadric decides, nothing is left of the pull but its square.
-        x = middle + pulled + SolveRegularized(quadric.matrix, slope - quadric.matrix * pulled);
+        x = middle + pulled + SolveRegularized(quadric.matrix, slope - quadric.matrix * pulled, pull);
     }
     const std::optional<double> worst2 = WorstQuality2(edge.stayingFaces, x);
     if (!worst2) return std::nullopt;
@@ -104,11 +105,10 @@ struct ErrorFunctionRow {
 /// All error functions, in the order of their numbers. A further one is a function and a row.
 constexpr ErrorFunctionRow kErrorFunctions[] = {
     {ErrorFunction::Quadric, "quadric", "Quadric error",
-     "Squared distances to the planes merged into both ends (Garland and Heckbert 1997), optimal placement.",
+     "Squared distances to the planes accumulated at both ends (Garland and Heckbert 1997), optimal placement.",
      false, true, QuadricError},
     {ErrorFunction::ShortestEdge, "shortest_edge", "Shortest edge first",
-     "Length of the edge (Eq. 7); a vertex moves onto its nearest neighbour.", true, false,
-     ShortestEdgeError},
+     "Length of the edge (Eq. 7); a vertex moves onto its nearest neighbor.", true, false, ShortestEdgeError},
     {ErrorFunction::Melax, "melax", "Melax",
      "Length of the edge times how much the surface bends around the removed vertex (Melax 1998).", true,
      false, MelaxError},

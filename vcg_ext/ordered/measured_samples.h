@@ -31,7 +31,7 @@ class MeasuredSamples
 
     /// Samples around one edge, four at a time.
     struct Group {
-        FourPoints points;
+        Vector3<Float4> points;
         Float4 weight, distance2, newDistance2;
         Int4 nearest; ///< place in the list of faces
     };
@@ -61,7 +61,7 @@ class MeasuredSamples
     {
         triangles_.clear();
         const auto single = [](const Vector3d& p) {
-            return Vector3{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+            return Vector3<float>{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
         };
         for (const StarFace& face : faces)
             triangles_.push_back(PrepareTriangle(single(face.next - x), single(face.previous - x)));

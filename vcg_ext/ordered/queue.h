@@ -13,7 +13,8 @@
 #include <vcg/complex/algorithms/local_optimization.h>
 #include <vcg/complex/algorithms/local_optimization/tri_edge_collapse.h>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/base/progress.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
@@ -266,8 +267,8 @@ class CollapseRun : public vcg::BaseParameterClass
         }
     }
 
-    /// Collapses until at most \p targetFaces faces are left, no legal collapse is, or \p progress says no.
-    StopReason Decimate(std::size_t targetFaces, const Progress& progress)
+    /// Collapses until at most \p targetFaces faces are left or no legal collapse is. \throws Cancelled
+    StopReason Decimate(std::size_t targetFaces, const StageProgress& progress)
     {
         vcg::tri::RequirePerVertexMark(mesh_);
         const auto Faces = [this] { return static_cast<std::size_t>(mesh_.fn); };
@@ -284,9 +285,7 @@ class CollapseRun : public vcg::BaseParameterClass
             if (Faces() > next && !retrying && !(method_.BeginLastResort() && RetryRefused(true)))
                 return StopReason::NoLegalCollapse;
             const std::size_t done = before - std::max(Faces(), targetFaces);
-            if (progress &&
-                !progress(static_cast<int>(100 * done / (before - targetFaces)), "Collapsing edges"))
-                return StopReason::Cancelled;
+            progress(static_cast<int>(100 * done / (before - targetFaces)), "Collapsing edges");
         }
         return StopReason::Target;
     }

@@ -15,7 +15,7 @@
 namespace vcg_ext
 {
 
-using Vector3d = sweeps::Vector3<double>;
+using Vector3d = Vector3<double>;
 
 /// An edge at a vertex and the faces on it.
 template <class Mesh>
@@ -88,7 +88,7 @@ class RingEdges
 /// A face that outlives a collapse, seen from the corner that moves.
 struct StarFace {
     Vector3d next, previous; ///< the other corners
-    Vector3d scaledNormal;   ///< of sweeps::ScaledNormal, before the collapse
+    Vector3d scaledNormal;   ///< of ScaledNormal, before the collapse
     std::uint32_t face;      ///< its index in the mesh
 };
 
@@ -98,8 +98,8 @@ inline std::optional<double> WorstQuality2(const std::vector<StarFace>& faces, c
 {
     double worst2 = DBL_MAX;
     for (const StarFace& face : faces) {
-        const auto moved = sweeps::MoveFace(face.next - x, face.previous - x);
-        if (sweeps::TurnedTooFar(moved, face.scaledNormal)) return std::nullopt;
+        const auto moved = MoveFace(face.next - x, face.previous - x);
+        if (TurnedTooFar(moved, face.scaledNormal)) return std::nullopt;
         worst2 = std::min(worst2, moved.quality2);
     }
     return worst2;

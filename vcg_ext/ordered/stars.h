@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/star_sums.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/ordered/mesh.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
@@ -31,16 +33,16 @@ class GuidedStars
     using FaceType = typename Mesh::FaceType;
     using Ring = std::vector<RingEdge<Mesh>>;
     using Corner = vcg::face::VFIterator<FaceType>;
-    using EdgeEnd = sweeps::EdgeEnd<double>;
-    using Matrix = sweeps::SymmetricMatrix3<double>;
-    using Importance = sweeps::Importance<double>;
+    using End = EdgeEnd<double>;
+    using Matrix = SymmetricMatrix3<double>;
+    using Weight = Importance<double>;
 
     Mesh& mesh_;
-    MeshFrame frame_;
+    Frame frame_;
     bool bordersCount_;
     double lambda_ = 0;
     double descriptorScale_ = 0; ///< 1 / the descriptor that counts as 1; 0: the descriptor does not count
-    std::vector<EdgeEnd> ends_;
+    std::vector<End> ends_;
     std::vector<double> descriptor_;      ///< l
     std::vector<Vector3d> scaledNormals_; ///< of the faces
     std::vector<std::uint8_t> atBorder_;  ///< has or had an edge with one face
@@ -52,17 +54,17 @@ class GuidedStars
     {
         return scaledNormals_[vcg::tri::Index(mesh_, face)];
     }
-    Importance ImportanceAt(std::size_t v) const { return {descriptor_[v], ends_[v].weight}; }
+    Weight ImportanceAt(std::size_t v) const { return {descriptor_[v], ends_[v].weight}; }
 
     void UpdateNormal(const FaceType& face)
     {
         scaledNormals_[vcg::tri::Index(mesh_, &face)] =
-            sweeps::ScaledNormal(PositionOf(face.cV(0)), PositionOf(face.cV(1)), PositionOf(face.cV(2)));
+            ScaledNormal(PositionOf(face.cV(0)), PositionOf(face.cV(1)), PositionOf(face.cV(2)));
     }
 
-    sweeps::StarSums<double> SumStar(VertexType& vertex) const
+    StarSums<double> SumStar(VertexType& vertex) const
     {
-        sweeps::StarSums<double> sums;
+        StarSums<double> sums;
         const Vector3d& p = PositionOf(&vertex);
         for (Corner corner(&vertex); !corner.End(); ++corner)
             sums.Add(PositionOf(corner.V1()) - p, PositionOf(corner.V2()) - p, NormalOf(corner.F()));
@@ -75,8 +77,8 @@ class GuidedStars
         Matrix planes{};
         for (const RingEdge<Mesh>& edge : ring)
             if (edge.faceCount == 1)
-                planes = planes + sweeps::PerpendicularPlane(NormalOf(edge.face), PositionOf(edge.neighbour) -
-                                                                                      PositionOf(&vertex));
+                planes = planes + PerpendicularPlane(NormalOf(edge.face),
+                                                     PositionOf(edge.neighbour) - PositionOf(&vertex));
         return planes;
     }
 
@@ -84,7 +86,7 @@ class GuidedStars
     /// collected
     Matrix CreasesOf(VertexType& vertex) const
     {
-        sweeps::CreasePlanes<double> creases;
+        CreasePlanes<double> creases;
         for (Corner corner(&vertex); !corner.End(); ++corner)
             if (const FaceType* other = ring_.Find(*corner.V1())->incoming)
                 creases.Add(PositionOf(corner.V1()) - PositionOf(&vertex), NormalOf(corner.F()),
@@ -97,7 +99,7 @@ class GuidedStars
     {
         Matrix star{};
         for (Corner corner(&vertex); !corner.End(); ++corner)
-            star = star + sweeps::OuterProduct(NormalOf(corner.F()));
+            star = star + OuterProduct(NormalOf(corner.F()));
         const std::size_t v = IndexOf(&vertex);
         if (bordersCount_ && atBorder_[v] != 0) star = star + BorderPlanes(vertex, ring_.Collect(vertex));
         ends_[v].star = star;
@@ -108,7 +110,7 @@ class GuidedStars
     {
         const std::size_t v = IndexOf(&vertex);
         const Ring& ring = ring_.Collect(vertex);
-        sweeps::StarSums<double> sums = SumStar(vertex);
+        StarSums<double> sums = SumStar(vertex);
         if (!IsClosed(ring)) {
             sums.edges = {};
             sums.length = 0;
@@ -120,10 +122,10 @@ class GuidedStars
         ends_[v].star = sums.star;
         if (bordersCount_) ends_[v].star = ends_[v].star + BorderPlanes(vertex, ring);
         ends_[v].history = {ends_[v].star + CreasesOf(vertex), {}, 0};
-        descriptor_[v] = sweeps::StarDescriptor(sums);
+        descriptor_[v] = StarDescriptor(sums);
     }
 
-    void SetImportance(std::size_t v, const Importance& importance)
+    void SetImportance(std::size_t v, const Weight& importance)
     {
         ends_[v].history = importance.weight / ends_[v].weight * ends_[v].history;
         ends_[v].weight = importance.weight;
@@ -135,7 +137,7 @@ class GuidedStars
         std::vector<double> sample;
         for (std::size_t v = 0; v < descriptor_.size(); ++v)
             if (mesh_.vert[v].cVFp() != nullptr) sample.push_back(descriptor_[v]);
-        return sweeps::DescriptorScale(std::move(sample));
+        return DescriptorScale(std::move(sample));
     }
 
     void Weigh(const Guidance& guidance)
@@ -145,18 +147,21 @@ class GuidedStars
         if (guidance.given.empty()) descriptorScale_ = ScaleOfDescriptor();
         for (std::size_t v = 0; v < descriptor_.size(); ++v) {
             const double l = guidance.given.empty() ? descriptor_[v] * descriptorScale_ : guidance.given[v];
-            SetImportance(v, sweeps::ImportanceOf(std::clamp(l, 0.0, 1.0), lambda_));
+            SetImportance(v, ImportanceOf(std::clamp(l, 0.0, 1.0), lambda_));
         }
     }
 
   public:
     /// \pre vertex-face adjacency is up to date; \p mesh outlives the stars
     GuidedStars(Mesh& mesh, const Guidance& guidance, Boundary boundary)
-        : mesh_(mesh), frame_(mesh), bordersCount_(boundary != Boundary::Free), ends_(mesh.vert.size()),
+        : mesh_(mesh), bordersCount_(boundary != Boundary::Free), ends_(mesh.vert.size()),
           descriptor_(mesh.vert.size(), 0), scaledNormals_(mesh.face.size()), atBorder_(mesh.vert.size(), 0),
           ring_(mesh)
     {
-        for (std::size_t v = 0; v < ends_.size(); ++v) ends_[v].position = frame_.Into(mesh.vert[v].cP());
+        const MeshArrays<Mesh> arrays(mesh);
+        frame_ = FrameOf(arrays.View());
+        for (std::size_t v = 0; v < ends_.size(); ++v)
+            ends_[v].position = frame_.Into<double>(arrays.View().Position(v));
         for (const FaceType& face : mesh.face)
             if (!face.IsD()) UpdateNormal(face);
         for (VertexType& vertex : mesh.vert)
@@ -164,16 +169,15 @@ class GuidedStars
         Weigh(guidance);
     }
 
-    const MeshFrame& frame() const { return frame_; }
-    const EdgeEnd& end(std::size_t v) const { return ends_[v]; }
+    const Frame& frame() const { return frame_; }
+    const End& end(std::size_t v) const { return ends_[v]; }
     double descriptor(std::size_t v) const { return descriptor_[v]; }
     double DoubleArea(const FaceType& face) const { return Dot(NormalOf(&face), NormalOf(&face)); }
 
     /// The faces that the collapse of the edge leaves, into \p faces, and what all of them span.
-    sweeps::StarAreas<double> Gather(VertexType& removed, VertexType& kept,
-                                     std::vector<StarFace>& faces) const
+    StarAreas<double> Gather(VertexType& removed, VertexType& kept, std::vector<StarFace>& faces) const
     {
-        sweeps::StarAreas<double> areas;
+        StarAreas<double> areas;
         faces.clear();
         const auto add = [&](VertexType& end, const VertexType* other, Vector3d& area, bool countShared) {
             for (Corner corner(&end); !corner.End(); ++corner) {
@@ -195,9 +199,9 @@ class GuidedStars
     /// Moves what is known of \p removed into \p kept, which goes to \p placement.
     void Merge(std::size_t removed, std::size_t kept, const Vector3d& placement)
     {
-        EdgeEnd& into = ends_[kept];
-        const Importance merged = Merged(ImportanceAt(removed), ImportanceAt(kept), 0.0, lambda_);
-        into.history = sweeps::MergedHistory(ends_[removed], into, placement);
+        End& into = ends_[kept];
+        const Weight merged = MergedImportance(ImportanceAt(removed), ImportanceAt(kept), 0.0, lambda_);
+        into.history = MergedHistory(ends_[removed], into, placement);
         into.weight = merged.weight;
         into.position = placement;
         descriptor_[kept] = merged.descriptor;
@@ -211,9 +215,9 @@ class GuidedStars
         RebuildStar(kept);
         for (const RingEdge<Mesh>& edge : ring) RebuildStar(*edge.neighbour);
         if (!(descriptorScale_ > 0)) return;
-        const double measured = std::min(1.0, sweeps::StarDescriptor(SumStar(kept)) * descriptorScale_);
-        const Importance own = ImportanceAt(IndexOf(&kept));
-        SetImportance(IndexOf(&kept), Merged(own, own, measured, lambda_));
+        const double measured = std::min(1.0, StarDescriptor(SumStar(kept)) * descriptorScale_);
+        const Weight own = ImportanceAt(IndexOf(&kept));
+        SetImportance(IndexOf(&kept), MergedImportance(own, own, measured, lambda_));
     }
 };
 

@@ -8,7 +8,7 @@
 #include "vcg_ext/core/collapse/cost.h"
 
 using namespace vcg_ext;
-using namespace vcg_ext::sweeps;
+using namespace vcg_ext;
 
 namespace
 {

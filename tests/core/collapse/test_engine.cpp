@@ -11,6 +11,7 @@
 #include <set>
 
 #include "analytic_meshes.h"
+#include "mesh_checks.h"
 #include "vcg_ext/core/collapse/engine.h"
 
 using namespace vcg_ext;
@@ -19,33 +20,9 @@ using test_meshes::IndexedMesh;
 namespace
 {
 
-struct Faults {
-    std::size_t nonManifoldEdges = 0, borderEdges = 0, duplicates = 0, degenerate = 0;
-    std::ptrdiff_t eulerCharacteristic = 0; ///< of the vertices that have faces
-};
-
-template <class Triangles>
-Faults FaultsOf(const Triangles& triangles)
+test_meshes::Defects DefectsOf(const DecimatedMesh& mesh)
 {
-    Faults faults;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    std::set<std::array<std::uint32_t, 3>> seen;
-    std::set<std::uint32_t> vertices;
-    for (auto t : triangles) {
-        vertices.insert(t.begin(), t.end());
-        for (std::size_t k = 0; k < 3; ++k) ++edges[std::minmax(t[k], t[(k + 1) % 3])];
-        std::sort(t.begin(), t.end());
-        faults.degenerate += t[0] == t[1] || t[1] == t[2];
-        faults.duplicates += !seen.insert(t).second;
-    }
-    for (const auto& [edge, faces] : edges) {
-        faults.borderEdges += faces == 1;
-        faults.nonManifoldEdges += faces > 2;
-    }
-    faults.eulerCharacteristic = static_cast<std::ptrdiff_t>(vertices.size()) -
-                                 static_cast<std::ptrdiff_t>(edges.size()) +
-                                 static_cast<std::ptrdiff_t>(triangles.size());
-    return faults;
+    return test_meshes::FindDefects({mesh.positions, mesh.triangles, {}});
 }
 
 DecimationParameters Parameters(std::size_t target, int threads = 1)
@@ -75,10 +52,11 @@ void VerifySound(const IndexedMesh& input, const DecimatedMesh& result)
         for (const double x : p) QVERIFY(std::isfinite(x));
     for (const auto& t : result.triangles)
         for (const std::uint32_t v : t) QVERIFY(v < result.positions.size());
-    const Faults before = FaultsOf(input.triangles), after = FaultsOf(result.triangles);
+    const test_meshes::Defects before = test_meshes::FindDefects(input), after = DefectsOf(result);
     QVERIFY(after.nonManifoldEdges <= before.nonManifoldEdges);
-    QVERIFY(after.duplicates <= before.duplicates);
-    QCOMPARE(after.degenerate, std::size_t{0});
+    QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
+    QVERIFY(after.duplicateFaces <= before.duplicateFaces);
+    QVERIFY(after.degenerateFaces <= before.degenerateFaces);
 }
 
 bool SameBytes(const DecimatedMesh& a, const DecimatedMesh& b)
@@ -196,9 +174,21 @@ IndexedMesh ManyBlocks()
     return Noisy(Merged(Torus(500, 100), Merged(Grid(120, 80, 0.02), Box(30))), 1e-4);
 }
 
+CollapsedSurface Surface(const MeshView& view, const DecimationParameters& parameters, KeptForLater kept = {})
+{
+    CollapseEngine engine(view, parameters, kept, StageProgress(parameters.progress));
+    engine.Collapse(parameters.targetFaces);
+    return std::move(engine).Extract();
+}
+
+DecimatedMesh Collapsed(const MeshView& view, const DecimationParameters& parameters)
+{
+    return ToMesh(view, Surface(view, parameters));
+}
+
 } // namespace
 
-class TestSweepDecimation : public QObject
+class TestEngine : public QObject
 {
     Q_OBJECT
 
@@ -221,7 +211,7 @@ class TestSweepDecimation : public QObject
         for (const bool topology : {false, true}) {
             DecimationParameters parameters = Parameters(target);
             parameters.preserveTopology = topology;
-            const DecimatedMesh result = DecimateSweeps(View(mesh), parameters);
+            const DecimatedMesh result = Collapsed(View(mesh), parameters);
             VerifySound(mesh, result);
             QCOMPARE(result.stopReason == StopReason::Target, result.triangles.size() <= target);
         }
@@ -231,7 +221,7 @@ class TestSweepDecimation : public QObject
     {
         const IndexedMesh sphere = test_meshes::Icosphere(3);
         for (std::size_t target = 4; target < sphere.triangles.size(); target += 46) {
-            const DecimatedMesh result = DecimateSweeps(View(sphere), Parameters(target));
+            const DecimatedMesh result = Collapsed(View(sphere), Parameters(target));
             QCOMPARE(result.stopReason, StopReason::Target);
             QCOMPARE(result.triangles.size(), target); // an inner edge takes two faces with it
         }
@@ -239,7 +229,7 @@ class TestSweepDecimation : public QObject
 
     void stopsWithAReasonWhereNothingMayGo()
     {
-        const DecimatedMesh result = DecimateSweeps(View(Tetrahedron()), Parameters(1));
+        const DecimatedMesh result = Collapsed(View(Tetrahedron()), Parameters(1));
         QCOMPARE(result.stopReason, StopReason::NoLegalCollapse);
         QCOMPARE(result.triangles.size(), std::size_t{4});
     }
@@ -247,7 +237,7 @@ class TestSweepDecimation : public QObject
     void leavesAMeshWithinTheTargetAsItIs()
     {
         const IndexedMesh box = test_meshes::Box(3);
-        const DecimatedMesh result = DecimateSweeps(View(box), Parameters(box.triangles.size()));
+        const DecimatedMesh result = Collapsed(View(box), Parameters(box.triangles.size()));
         QCOMPARE(result.triangles.size(), box.triangles.size());
         QVERIFY(std::equal(result.triangles.begin(), result.triangles.end(), box.triangles.begin()));
         QVERIFY(std::equal(result.positions.begin(), result.positions.end(), box.points.begin()));
@@ -258,15 +248,15 @@ class TestSweepDecimation : public QObject
         const IndexedMesh mesh = ManyBlocks();
         for (const std::size_t percent : {40, 5}) {
             const std::size_t target = mesh.triangles.size() * percent / 100;
-            const DecimatedMesh one = DecimateSweeps(View(mesh), Parameters(target, 1));
+            const DecimatedMesh one = Collapsed(View(mesh), Parameters(target, 1));
             for (const int threads : {1, 2, 3, 7})
-                QVERIFY(SameBytes(one, DecimateSweeps(View(mesh), Parameters(target, threads))));
+                QVERIFY(SameBytes(one, Collapsed(View(mesh), Parameters(target, threads))));
         }
     }
 
     void reducesABoxToItsCorners()
     {
-        const DecimatedMesh result = DecimateSweeps(View(test_meshes::Box(12)), Parameters(12));
+        const DecimatedMesh result = Collapsed(View(test_meshes::Box(12)), Parameters(12));
         QCOMPARE(result.triangles.size(), std::size_t{12});
         for (const auto& p : result.positions)
             for (const double x : p) QVERIFY(std::abs(x - std::round(x)) < 1e-3);
@@ -276,8 +266,8 @@ class TestSweepDecimation : public QObject
     void keepsTheVolumeOfASphere()
     {
         const IndexedMesh sphere = test_meshes::Icosphere(4);
-        const DecimatedMesh whole = DecimateSweeps(View(sphere), Parameters(sphere.triangles.size()));
-        const DecimatedMesh result = DecimateSweeps(View(sphere), Parameters(200));
+        const DecimatedMesh whole = Collapsed(View(sphere), Parameters(sphere.triangles.size()));
+        const DecimatedMesh result = Collapsed(View(sphere), Parameters(200));
         QVERIFY(std::abs(EnclosedVolume(result) / EnclosedVolume(whole) - 1) < 0.01);
     }
 
@@ -287,9 +277,9 @@ class TestSweepDecimation : public QObject
             const IndexedMesh mesh = Families().at(family)();
             DecimationParameters parameters = Parameters(1);
             parameters.preserveTopology = true;
-            const DecimatedMesh result = DecimateSweeps(View(mesh), parameters);
-            QCOMPARE(FaultsOf(result.triangles).eulerCharacteristic,
-                     FaultsOf(mesh.triangles).eulerCharacteristic);
+            const DecimatedMesh result = Collapsed(View(mesh), parameters);
+            QCOMPARE(DefectsOf(result).eulerCharacteristic,
+                     test_meshes::FindDefects(mesh).eulerCharacteristic);
             QCOMPARE(result.stopReason, StopReason::NoLegalCollapse);
         }
     }
@@ -301,13 +291,13 @@ class TestSweepDecimation : public QObject
         const auto borderEdges = [&](std::size_t target, bool topology) {
             DecimationParameters parameters = Parameters(target);
             parameters.preserveTopology = topology;
-            const DecimatedMesh result = DecimateSweeps(View(mesh), parameters);
+            const DecimatedMesh result = Collapsed(View(mesh), parameters);
             VerifySound(mesh, result);
-            return FaultsOf(result.triangles).borderEdges;
+            return DefectsOf(result).borderEdges;
         };
         QVERIFY(borderEdges(100, false) > 0);
         QVERIFY(borderEdges(1, true) > 0);
-        const DecimatedMesh closed = DecimateSweeps(View(mesh), Parameters(4));
+        const DecimatedMesh closed = Collapsed(View(mesh), Parameters(4));
         QCOMPARE(closed.stopReason, StopReason::Target);
         VerifySound(mesh, closed);
     }
@@ -320,12 +310,12 @@ class TestSweepDecimation : public QObject
         mesh.AddTriangle(0, 1, 3);
         mesh.AddTriangle(1, 2, 3);
         mesh.AddTriangle(2, 0, 3);
-        VerifySound(mesh, DecimateSweeps(View(mesh), Parameters(2)));
+        VerifySound(mesh, Collapsed(View(mesh), Parameters(2)));
     }
 
     void preservesAStraightBorder()
     {
-        const DecimatedMesh result = DecimateSweeps(View(test_meshes::Grid(30, 30)), Parameters(2));
+        const DecimatedMesh result = Collapsed(View(test_meshes::Grid(30, 30)), Parameters(2));
         QCOMPARE(result.triangles.size(), std::size_t{2});
         for (const auto& p : result.positions)
             for (std::size_t k = 0; k < 2; ++k) QVERIFY(std::min(std::abs(p[k]), std::abs(p[k] - 30)) < 0.05);
@@ -336,7 +326,7 @@ class TestSweepDecimation : public QObject
         const IndexedMesh grid = test_meshes::Noisy(test_meshes::Grid(20, 20), 0.1);
         DecimationParameters parameters = Parameters(1);
         parameters.boundary = Boundary::Lock;
-        const DecimatedMesh result = DecimateSweeps(View(grid), parameters);
+        const DecimatedMesh result = Collapsed(View(grid), parameters);
         VerifySound(grid, result);
         std::size_t onBorder = 0;
         for (std::size_t v = 0; v < result.positions.size(); ++v) {
@@ -349,12 +339,24 @@ class TestSweepDecimation : public QObject
         QCOMPARE(onBorder, std::size_t{80});
     }
 
+    /// Every edge across a strip joins two vertices of its border: merging them would leave a pinched vertex.
+    void aNarrowStripIsNotPinched()
+    {
+        const IndexedMesh strip = test_meshes::Noisy(test_meshes::Grid(40, 1), 0.1);
+        for (const Boundary boundary : {Boundary::Free, Boundary::Preserve})
+            for (std::size_t target = 2; target < strip.triangles.size(); target += 6) {
+                DecimationParameters parameters = Parameters(target);
+                parameters.boundary = boundary;
+                VerifySound(strip, Collapsed(View(strip), parameters));
+            }
+    }
+
     void aFreeBorderMayBeEaten()
     {
         DecimationParameters parameters = Parameters(100);
         parameters.boundary = Boundary::Free;
         const IndexedMesh grid = test_meshes::Noisy(test_meshes::Grid(20, 20), 0.1);
-        const DecimatedMesh result = DecimateSweeps(View(grid), parameters);
+        const DecimatedMesh result = Collapsed(View(grid), parameters);
         VerifySound(grid, result);
         QVERIFY(result.triangles.size() <= 100);
     }
@@ -366,7 +368,7 @@ class TestSweepDecimation : public QObject
         for (std::size_t v = 0; v < fixed.size(); ++v) fixed[v] = sphere.points[v][2] > 0.3;
         MeshView view = View(sphere);
         view.fixedVertices = fixed.data();
-        const DecimatedMesh result = DecimateSweeps(view, Parameters(1));
+        const DecimatedMesh result = Collapsed(view, Parameters(1));
         VerifySound(sphere, result);
         std::set<std::uint32_t> kept(result.vertexOrigin.begin(), result.vertexOrigin.end());
         for (std::uint32_t v = 0; v < fixed.size(); ++v) QVERIFY(!fixed[v] || kept.count(v) == 1);
@@ -383,7 +385,7 @@ class TestSweepDecimation : public QObject
     void unmovedVerticesKeepEveryBit()
     {
         const IndexedMesh mesh = test_meshes::Moved(test_meshes::Torus(40, 16), 1, 0.3, {0.1, 0.2, 0.3});
-        const DecimatedMesh result = DecimateSweeps(View(mesh), Parameters(mesh.triangles.size() * 9 / 10));
+        const DecimatedMesh result = Collapsed(View(mesh), Parameters(mesh.triangles.size() * 9 / 10));
         std::size_t same = 0;
         for (std::size_t v = 0; v < result.positions.size(); ++v)
             same += result.positions[v] == mesh.points[result.vertexOrigin[v]];
@@ -393,7 +395,7 @@ class TestSweepDecimation : public QObject
     void flatPartsAndStraightCreasesKeepEveryBit()
     {
         const IndexedMesh box = test_meshes::Moved(test_meshes::Box(12), 1, 0.3, {0.1, 0.2, 0.3});
-        const DecimatedMesh result = DecimateSweeps(View(box), Parameters(1200)); // of 1728
+        const DecimatedMesh result = Collapsed(View(box), Parameters(1200)); // of 1728
         std::size_t same = 0;
         for (std::size_t v = 0; v < result.positions.size(); ++v)
             same += result.positions[v] == box.points[result.vertexOrigin[v]];
@@ -415,8 +417,7 @@ class TestSweepDecimation : public QObject
     {
         const IndexedMesh sphere = test_meshes::Icosphere(4);
         for (const int threads : {1, 3}) {
-            std::vector<std::uint32_t> order =
-                DecimateSweeps(View(sphere), Parameters(200, threads)).inputOrder;
+            std::vector<std::uint32_t> order = Surface(View(sphere), Parameters(200, threads)).faceOrder;
             std::sort(order.begin(), order.end());
             QCOMPARE(order.size(), sphere.triangles.size());
             for (std::uint32_t f = 0; f < order.size(); ++f) QCOMPARE(order[f], f);
@@ -430,16 +431,16 @@ class TestSweepDecimation : public QObject
              {test_meshes::Noisy(test_meshes::Icosphere(3), 0.05), test_meshes::Pyramid(41),
               test_meshes::Noisy(test_meshes::Grid(9, 9), 0.1)}) {
             const MeshView view = View(mesh);
-            sweeps::SweepState state;
-            sweeps::SweepLoader(view, state, 1).Load();
-            sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
-            sweeps::NeighbourScratch neighbours;
+            SweepState state;
+            SweepLoader(view, state, 1).Load();
+            SweepStarter(view, state, 1, Boundary::Preserve).Start();
+            NeighbourScratch neighbours;
             for (std::uint32_t v = 0; v < state.VertexCount(); ++v) {
-                QVERIFY(sweeps::CollectNeighbours(state, v, {0, state.VertexCount()}, neighbours));
+                QVERIFY(CollectNeighbours(state, v, {0, state.VertexCount()}, neighbours));
                 std::vector<float> costs[2];
                 for (const bool eight : {false, true}) {
                     state.eightAtOnce = eight && HasAvx2();
-                    sweeps::EvaluateEdges(state, v, neighbours);
+                    EvaluateEdges(state, v, neighbours);
                     const float* cost = neighbours.cost.data();
                     costs[eight].assign(cost, cost + neighbours.size);
                 }
@@ -455,9 +456,9 @@ class TestSweepDecimation : public QObject
         const IndexedMesh flat{
             {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, {}};
         const MeshView view = View(flat);
-        sweeps::SweepState state;
-        sweeps::SweepLoader(view, state, 1).Load();
-        sweeps::SweepStarter(view, state, 1, Boundary::Preserve).Start();
+        SweepState state;
+        SweepLoader(view, state, 1).Load();
+        SweepStarter(view, state, 1, Boundary::Preserve).Start();
         const float side2 = 1024.0F * 1024.0F / 2; // in the frame
         for (std::uint32_t v = 0; v < 4; ++v) {
             const auto history = state.vertices[v].History().matrix;
@@ -475,7 +476,7 @@ class TestSweepDecimation : public QObject
                 if (std::hypot(p[0] - 15, p[1] - 30) < 8) p[2] += 0.3 * std::abs(std::sin(p[0]));
             DecimationParameters parameters = Parameters(700);
             parameters.featureWeight = weight;
-            const DecimatedMesh result = DecimateSweeps(View(mesh), parameters);
+            const DecimatedMesh result = Collapsed(View(mesh), parameters);
             return std::count_if(result.positions.begin(), result.positions.end(),
                                  [](const auto& p) { return std::hypot(p[0] - 15, p[1] - 30) < 9; });
         };
@@ -491,7 +492,7 @@ class TestSweepDecimation : public QObject
         view.guidance = guidance.data();
         DecimationParameters parameters = Parameters(800);
         parameters.featureWeight = 6;
-        const DecimatedMesh result = DecimateSweeps(view, parameters);
+        const DecimatedMesh result = Collapsed(view, parameters);
         const auto left = std::count_if(result.positions.begin(), result.positions.end(),
                                         [](const auto& p) { return p[0] < 25; });
         QVERIFY(left > 3 * (static_cast<std::ptrdiff_t>(result.positions.size()) - left));
@@ -508,10 +509,10 @@ class TestSweepDecimation : public QObject
             last = percent;
             return rising;
         };
-        QCOMPARE(DecimateSweeps(View(mesh), parameters).stopReason, StopReason::Target);
+        QCOMPARE(Collapsed(View(mesh), parameters).stopReason, StopReason::Target);
         QVERIFY(calls > 1);
         parameters.progress = [](int, const char*) { return false; };
-        QCOMPARE(DecimateSweeps(View(mesh), parameters).stopReason, StopReason::Cancelled);
+        QVERIFY_EXCEPTION_THROWN(Collapsed(View(mesh), parameters), Cancelled);
     }
 
     void floatsAreReadInPlace()
@@ -532,29 +533,39 @@ class TestSweepDecimation : public QObject
         view.positions = vertices.front().p.data();
         view.positionStride = sizeof(Vertex);
         view.doublePositions = false;
-        QVERIFY(
-            SameBytes(DecimateSweeps(view, Parameters(200)), DecimateSweeps(View(rounded), Parameters(200))));
+        QVERIFY(SameBytes(Collapsed(view, Parameters(200)), Collapsed(View(rounded), Parameters(200))));
     }
 
     void goesOnFromOneTargetToTheNext()
     {
         const IndexedMesh mesh = test_meshes::Torus(60, 24);
-        SweepDecimation run(View(mesh), Parameters(1));
-        QCOMPARE(run.Collapse(1000), StopReason::Target);
-        QCOMPARE(run.Collapse(200), StopReason::Target);
-        run.Extract();
-        const DecimatedMesh result = run.Result();
+        CollapseEngine engine(View(mesh), Parameters(1));
+        QCOMPARE(engine.Collapse(1000), StopReason::Target);
+        QCOMPARE(engine.Collapse(200), StopReason::Target);
+        const DecimatedMesh result = ToMesh(View(mesh), std::move(engine).Extract());
         VerifySound(mesh, result);
         QVERIFY(result.triangles.size() <= 200);
+    }
+
+    /// Every call begins with the corner lists where the call before left them.
+    void goesOnInManySteps()
+    {
+        const IndexedMesh mesh = test_meshes::Torus(30, 16);
+        CollapseEngine engine(View(mesh), Parameters(1), {true, true});
+        for (const std::size_t percent : {90, 80, 70, 60, 50, 40, 30, 20, 10, 8, 6}) {
+            const std::size_t target = mesh.triangles.size() * percent / 100;
+            QCOMPARE(engine.Collapse(target), StopReason::Target);
+        }
+        const CollapsedSurface surface = std::move(engine).Extract();
+        VerifySound(mesh, ToMesh(View(mesh), surface));
+        QCOMPARE(surface.original.FaceCount(), mesh.triangles.size());
     }
 
     void handsOverBothSurfacesForRefinement()
     {
         const IndexedMesh mesh = test_meshes::Noisy(test_meshes::Torus(60, 24), 0.01);
-        SweepDecimation run(View(mesh), Parameters(300), true);
-        run.Collapse(300);
-        run.Extract();
-        const SurfaceArrays& original = run.Original();
+        const CollapsedSurface surface = Surface(View(mesh), Parameters(300), {true, false});
+        const SurfaceArrays& original = surface.original;
         QCOMPARE(original.VertexCount(), mesh.points.size());
         QCOMPARE(original.FaceCount(), mesh.triangles.size());
         std::size_t corners = 0;
@@ -564,11 +575,11 @@ class TestSweepDecimation : public QObject
                 QCOMPARE(original.triangles[FaceOf(corner)].v[IndexOf(corner)], v);
             }
         QCOMPARE(corners, 3 * mesh.triangles.size());
-        QCOMPARE(run.Simplified().FaceCount(), std::size_t{300});
-        std::set<std::uint32_t> roots(run.Root().begin(), run.Root().end());
-        QCOMPARE(roots.size(), run.Simplified().VertexCount());
+        QCOMPARE(surface.simplified.FaceCount(), std::size_t{300});
+        std::set<std::uint32_t> roots(surface.root.begin(), surface.root.end());
+        QCOMPARE(roots.size(), surface.simplified.VertexCount());
     }
 };
 
-QTEST_APPLESS_MAIN(TestSweepDecimation)
+QTEST_APPLESS_MAIN(TestEngine)
 #include "test_engine.moc"

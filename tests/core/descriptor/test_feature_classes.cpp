@@ -164,14 +164,14 @@ void TestClassification::refusesByName()
     QCOMPARE(RefusalOf([] {
                  KMeans1D({1, 1, 2}, 3);
              }),
-             std::string("classes = 3 is more than the 2 distinct values"));
+             std::string("classes = 3 exceeds the number of distinct values, 2"));
     QCOMPARE(RefusalOf([] {
                  KMeans1D({1, 1, 1}, 2);
              }),
-             std::string("classes = 2 is more than the 1 distinct values"));
+             std::string("classes = 2 exceeds the number of distinct values, 1"));
     QCOMPARE(RefusalOf([] { KMeans1D({}, 1); }),
-             std::string("classes = 1 is more than the 0 distinct values"));
-    QCOMPARE(RefusalOf([] { KMeans1D({1, 2}, 0); }), std::string("classes = 0 is below 1"));
+             std::string("classes = 1 exceeds the number of distinct values, 0"));
+    QCOMPARE(RefusalOf([] { KMeans1D({1, 2}, 0); }), std::string("classes = 0 is less than 1"));
     QCOMPARE(RefusalOf([&] {
                  KMeans1D({1, nan, 2}, 2);
              }),

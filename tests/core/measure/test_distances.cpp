@@ -26,13 +26,13 @@ constexpr std::size_t kSamples = 2000;
 DistanceReport Distances(const test_meshes::IndexedMesh& a, const test_meshes::IndexedMesh& b,
                          int threads = 1)
 {
-    return MeasureDistances(test_meshes::View(a), AsResult(b), std::vector<double>(a.points.size(), 0.0),
+    return MeasureDistances(test_meshes::View(a), AsResult(b), std::vector<float>(a.points.size(), 0),
                             kSamples, threads);
 }
 
 } // namespace
 
-class TestDistance : public QObject
+class TestDistances : public QObject
 {
     Q_OBJECT
 
@@ -89,7 +89,7 @@ class TestDistance : public QObject
     {
         const auto plane = test_meshes::Grid(9, 9); // 100 vertices
         auto bent = plane;
-        std::vector<double> descriptor(plane.points.size(), 0.0);
+        std::vector<float> descriptor(plane.points.size(), 0);
         for (std::size_t v = 0; v < 10; ++v) { // the first row
             descriptor[v] = 1;
             bent.points[v][2] += 0.5;
@@ -145,5 +145,5 @@ class TestDistance : public QObject
     }
 };
 
-QTEST_APPLESS_MAIN(TestDistance)
+QTEST_APPLESS_MAIN(TestDistances)
 #include "test_distances.moc"

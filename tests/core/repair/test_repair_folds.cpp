@@ -4,49 +4,20 @@
 #include <QtTest>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <random>
 #include <vector>
 
 #include "analytic_meshes.h"
-#include "test_meshes.h"
-#include "vcg_ext/decimate.h"
-#include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/repair/repair_folds.h"
+#include "vcg_ext/core/simplify.h"
 
 using namespace test_meshes;
 using vcg_ext::DecimatedMesh;
-using vcg_ext::FaceTree;
-using vcg_ext::SurfaceArrays;
-using vcg_ext::Vector3;
 
 namespace
 {
-
-constexpr float kFar = std::numeric_limits<float>::max();
-
-/// What a tree answers, by a look at every face.
-struct Truth {
-    float along2 = kFar, against2 = kFar;
-};
-Truth LookAtAll(const SurfaceArrays& surface, const Vector3& p, const Vector3& direction)
-{
-    Truth truth;
-    for (std::uint32_t f = 0; f < surface.FaceCount(); ++f) {
-        const auto& v = surface.triangles[f].v;
-        const Vector3 a = PositionOf(surface, v[0]);
-        const float d2 =
-            vcg_ext::ClosestOnTriangle(p - a, PositionOf(surface, v[1]) - a, PositionOf(surface, v[2]) - a)
-                .distance2;
-        float& side = Dot(AreaVector(surface, f), direction) < 0 ? truth.against2 : truth.along2;
-        side = std::min(side, d2);
-    }
-    return truth;
-}
 
 /// An original and what a decimation is taken to have made of it, face by face in the same order.
 DecimatedMesh AsDecimated(const IndexedMesh& mesh)
@@ -59,16 +30,6 @@ DecimatedMesh AsDecimated(const IndexedMesh& mesh)
     return result;
 }
 
-/// A sphere in a slightly larger one that looks the other way: a shell with an inside and an outside.
-IndexedMesh Shell(int levels, double thickness)
-{
-    IndexedMesh inner = Icosphere(levels);
-    for (auto& p : inner.points)
-        for (double& x : p) x *= 1 - thickness;
-    for (auto& t : inner.triangles) std::swap(t[1], t[2]);
-    return Merged(Icosphere(levels), inner);
-}
-
 /// A plane with one inner vertex pushed over the far side of a face around it.
 IndexedMesh PlaneWithFold()
 {
@@ -78,15 +39,33 @@ IndexedMesh PlaneWithFold()
     return mesh;
 }
 
-std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
+vcg_ext::FoldRepairReport Repair(const vcg_ext::MeshView& original, DecimatedMesh& mesh,
+                                 vcg_ext::Boundary boundary, int threads, vcg_ext::Progress progress = {})
 {
-    return vcg_ext::UnfoldFaces(View(original), mesh, vcg_ext::Boundary::Lock, 1).before;
+    const auto tree = vcg_ext::TreeOf(original, mesh, {}, threads);
+    if (!tree) return {};
+    return vcg_ext::RepairFolds(original, *tree, mesh, boundary, threads,
+                                vcg_ext::StageProgress(std::move(progress)));
 }
 
-/// By the measurement of the report, which knows nothing of the tree. \pre the original has faces
+/// What the collapse and, unless the effort is fast, the refinement leave.
+DecimatedMesh Collapsed(const vcg_ext::MeshView& view, const vcg_ext::DecimationParameters& parameters)
+{
+    vcg_ext::PipelineStages stages;
+    stages.refine = parameters.effort != vcg_ext::Effort::Fast;
+    stages.repairFolds = false;
+    return vcg_ext::RunPipeline(view, parameters, stages, vcg_ext::SweepCollapse{parameters}).mesh;
+}
+
+std::size_t Folded(const IndexedMesh& original, DecimatedMesh mesh)
+{
+    return Repair(View(original), mesh, vcg_ext::Boundary::Lock, 1).before;
+}
+
+/// By the measurement of the report, in double precision. \pre the original has faces
 vcg_ext::DistanceReport Distances(const IndexedMesh& original, const DecimatedMesh& mesh)
 {
-    const std::vector<double> descriptor(original.points.size(), 0.0);
+    const std::vector<float> descriptor(original.points.size(), 0);
     return vcg_ext::MeasureDistances(View(original), mesh, descriptor, 20000, 1);
 }
 std::size_t MeasuredFolds(const IndexedMesh& original, const DecimatedMesh& mesh)
@@ -100,70 +79,16 @@ double Rms(const IndexedMesh& original, const DecimatedMesh& mesh)
 
 } // namespace
 
-class TestUnfold : public QObject
+class TestRepairFolds : public QObject
 {
     Q_OBJECT
 
   private slots:
-    void treeAnswersLikeALookAtEveryFace()
-    {
-        for (const IndexedMesh& mesh : {Noisy(Icosphere(3), 0.05), Shell(2, 0.03), Box(1), Grid(1, 1)}) {
-            const auto frame = vcg_ext::FrameOf(View(mesh));
-            const SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
-            const FaceTree tree(View(mesh), frame, 2);
-            std::mt19937 random(7);
-            std::normal_distribution<float> gauss;
-            for (int i = 0; i < 400; ++i) {
-                const auto vector = [&] { return Vector3{gauss(random), gauss(random), gauss(random)}; };
-                const Vector3 p = 300.0F * vector(), towards = vector();
-                const Vector3 direction = (1 / Norm(towards)) * towards;
-                const Truth truth = LookAtAll(surface, p, direction);
-                const float nearest2 = std::min(truth.along2, truth.against2);
-                // single precision at distances of hundreds: a few units in the seventh digit of 300^2
-                const auto close = [](float a, float b) { return std::abs(a - b) <= 1e-4F * b + 0.01F; };
-                QVERIFY(close(tree.Distance2(p), nearest2));
-                QVERIFY(close(SquaredNorm(tree.Closest(p) - p), nearest2));
-                if (truth.along2 < kFar)
-                    QVERIFY(close(tree.DistanceAlong2(p, direction), truth.along2));
-                else
-                    QVERIFY(!(tree.DistanceAlong2(p, direction) < kFar));
-                // within a thousandth it may be an edge of both sides, and either answer is right
-                if (std::abs(truth.along2 - truth.against2) <= 1e-3F * nearest2) continue;
-                const bool against = truth.against2 < truth.along2;
-                QCOMPARE(tree.LooksAgainst(p, direction), against);
-                if (truth.along2 < kFar) QCOMPARE(tree.LooksAgainst(p, direction, 4 * truth.along2), against);
-            }
-        }
-    }
-
-    void treeFindsWhatIsInABox()
-    {
-        const IndexedMesh mesh = Grid(16, 16);
-        const auto frame = vcg_ext::FrameOf(View(mesh));
-        const SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
-        const FaceTree tree(View(mesh), frame, 1);
-        const Vector3 low{-100, 20, -1}, high{-50, 90, 1};
-        std::vector<int> visits(mesh.triangles.size(), 0);
-        tree.ForEachNear(low, high,
-                         [&](std::uint32_t f, const Vector3& a, const Vector3& ab, const Vector3&) {
-                             ++visits[f];
-                             QVERIFY(Norm(a - PositionOf(surface, surface.triangles[f].v[0])) < 1e-3F);
-                             QVERIFY(Norm(a + ab - PositionOf(surface, surface.triangles[f].v[1])) < 1e-3F);
-                         });
-        for (std::uint32_t f = 0; f < visits.size(); ++f) {
-            const Vector3 c = Centroid(surface, f);
-            const bool inside = c.x > low.x && c.x < high.x && c.y > low.y && c.y < high.y;
-            const bool far =
-                c.x < low.x - 200 || c.x > high.x + 200 || c.y < low.y - 200 || c.y > high.y + 200;
-            QVERIFY(visits[f] <= 1 && (visits[f] == 1 || !inside) && (visits[f] == 0 || !far));
-        }
-    }
-
     void vertexPushedAcrossAnEdgeIsBroughtBack()
     {
         const IndexedMesh plane = Grid(8, 8);
         DecimatedMesh mesh = AsDecimated(PlaneWithFold());
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
+        const auto report = Repair(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, std::size_t{0});
         QCOMPARE(MeasuredFolds(plane, mesh), std::size_t{0});
@@ -180,19 +105,19 @@ class TestUnfold : public QObject
     }
 
     /// The smallest fold: a corner just over the far edge of one face, all others sound.
-    void singleFoldIsMended()
+    void singleFoldIsRepaired()
     {
         const IndexedMesh plane = Grid(8, 8);
         IndexedMesh folded = plane;
         folded.points[4 + 4 * 9] = {5.1, 4.5, 0};
         DecimatedMesh mesh = AsDecimated(folded);
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
+        const auto report = Repair(View(plane), mesh, vcg_ext::Boundary::Lock, 1);
         QCOMPARE(report.before, std::size_t{1});
         QCOMPARE(report.after, std::size_t{0});
         QCOMPARE(MeasuredFolds(plane, mesh), std::size_t{0});
     }
 
-    /// Of a mesh whose left half is fixed, the fold on the seam is mended by what is free.
+    /// Of a mesh whose left half is fixed, the fold on the seam is repaired by what is free.
     void onlyTheFreeHalfChanges()
     {
         const IndexedMesh plane = Grid(8, 8);
@@ -202,7 +127,7 @@ class TestUnfold : public QObject
         auto view = View(plane);
         view.fixedVertices = fixed.data();
         DecimatedMesh mesh = folded;
-        const auto report = vcg_ext::UnfoldFaces(view, mesh, vcg_ext::Boundary::Lock, 1);
+        const auto report = Repair(view, mesh, vcg_ext::Boundary::Lock, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, std::size_t{0});
         for (std::size_t v = 0; v < fixed.size(); ++v)
@@ -221,7 +146,7 @@ class TestUnfold : public QObject
         auto view = View(plane);
         view.fixedVertices = fixed.data();
         DecimatedMesh mesh = folded;
-        const auto report = vcg_ext::UnfoldFaces(view, mesh, vcg_ext::Boundary::Free, 1);
+        const auto report = Repair(view, mesh, vcg_ext::Boundary::Free, 1);
         QVERIFY(report.before > 0);
         QCOMPARE(report.after, report.before);
         QVERIFY(mesh.positions == folded.positions);
@@ -229,31 +154,31 @@ class TestUnfold : public QObject
     }
 
     /// In the facets of a polyhedron the distance from itself is rounding. A change may add to it, so that
-    /// folds there are mended by the first and strictest pass, while the progress stands at 0.
+    /// folds there are repaired by the first and strictest pass, while the progress stands at 0.
     void roundingIsNoReasonToLeaveAFold()
     {
-        std::size_t mended = 0;
+        std::size_t repaired = 0;
         for (const unsigned seed : {1u, 3u, 5u}) {
             IndexedMesh facets = Noisy(Icosphere(2), 0.05, seed);
             for (int level = 0; level < 4; ++level) facets = SubdividedAtMidpoints(facets);
             vcg_ext::DecimationParameters parameters;
             parameters.targetFaces = facets.triangles.size() / 10;
             parameters.threads = 2;
-            DecimatedMesh mesh = vcg_ext::DecimateSweeps(View(facets), parameters);
+            DecimatedMesh mesh = Collapsed(View(facets), parameters);
             int furthest = 0;
-            const auto report = vcg_ext::UnfoldFaces(View(facets), mesh, vcg_ext::Boundary::Lock, 2,
-                                                     [&](int percent, const char*) {
-                                                         furthest = std::max(furthest, percent);
-                                                         return true;
-                                                     });
+            const auto report =
+                Repair(View(facets), mesh, vcg_ext::Boundary::Lock, 2, [&](int percent, const char*) {
+                    furthest = std::max(furthest, percent);
+                    return true;
+                });
             QCOMPARE(report.after, std::size_t{0});
             QCOMPARE(furthest, 0);
-            mended += report.before;
+            repaired += report.before;
         }
-        QVERIFY(mended > 0);
+        QVERIFY(repaired > 0);
     }
 
-    /// Two sheets that coincide and look apart: whichever the other one is found first, nothing is folded.
+    /// Two sheets that coincide and face apart: whichever the other one is found first, nothing is folded.
     void bothSidesOfASheetAreSound()
     {
         IndexedMesh back = Grid(12, 12);
@@ -266,7 +191,7 @@ class TestUnfold : public QObject
         QCOMPARE(Folded(sheet, AsDecimated(lifted)), std::size_t{0});
     }
 
-    /// Where the original's own faces look this way and that, nothing is mended.
+    /// Where the original's own faces face this way and that, nothing is repaired.
     void mixedOrientationIsLeftAlone()
     {
         const IndexedMesh plane = Noisy(Grid(20, 20), 0.05);
@@ -276,7 +201,7 @@ class TestUnfold : public QObject
         IndexedMesh above = plane;
         for (auto& p : above.points) p[2] += 0.2;
         DecimatedMesh mesh = AsDecimated(above);
-        const auto report = vcg_ext::UnfoldFaces(View(mixed), mesh, vcg_ext::Boundary::Free, 1);
+        const auto report = Repair(View(mixed), mesh, vcg_ext::Boundary::Free, 1);
         QVERIFY(report.before > 100);
         QVERIFY(mesh.positions == above.points);
     }
@@ -291,7 +216,7 @@ class TestUnfold : public QObject
         turned.points[0] = {2.4, 1.8, 0};
         for (const auto boundary : {vcg_ext::Boundary::Lock, vcg_ext::Boundary::Preserve}) {
             DecimatedMesh mesh = AsDecimated(turned);
-            const auto report = vcg_ext::UnfoldFaces(View(triangle), mesh, boundary, 1);
+            const auto report = Repair(View(triangle), mesh, boundary, 1);
             QCOMPARE(report.before, std::size_t{1});
             QCOMPARE(report.after, std::size_t{boundary == vcg_ext::Boundary::Lock ? 1U : 0U});
         }
@@ -302,29 +227,29 @@ class TestUnfold : public QObject
         const IndexedMesh sphere = Noisy(Icosphere(3), 0.002);
         const DecimatedMesh before = AsDecimated(sphere);
         DecimatedMesh mesh = before;
-        const auto report = vcg_ext::UnfoldFaces(View(sphere), mesh, vcg_ext::Boundary::Free, 1);
+        const auto report = Repair(View(sphere), mesh, vcg_ext::Boundary::Free, 1);
         QCOMPARE(report.before, std::size_t{0});
         QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
     }
 
     /// The faces of a coarse sphere dip by more than half the wall's thickness: they are closer to the
     /// inside.
-    void wallThinnerThanTheErrorIsUnfolded()
+    void wallThinnerThanTheErrorIsRepaired()
     {
         const IndexedMesh shell = Shell(4, 0.02);
         vcg_ext::DecimationParameters parameters;
         parameters.targetFaces = 300;
         parameters.effort = vcg_ext::Effort::Fast;
         parameters.threads = 1;
-        const DecimatedMesh collapsed = vcg_ext::DecimateSweeps(View(shell), parameters);
+        const DecimatedMesh collapsed = Collapsed(View(shell), parameters);
         const std::size_t before = MeasuredFolds(shell, collapsed);
         QVERIFY(before > 20);
-        for (const auto effort : {vcg_ext::Effort::Fast, vcg_ext::Effort::Balanced, vcg_ext::Effort::Best}) {
+        for (const auto effort : {vcg_ext::Effort::Fast, vcg_ext::Effort::Balanced}) {
             parameters.effort = effort;
-            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
+            const DecimatedMesh mesh = vcg_ext::Simplify(View(shell), parameters).mesh;
             QVERIFY(10 * MeasuredFolds(shell, mesh) <= before);
             QCOMPARE(mesh.triangles.size(), collapsed.triangles.size());
-            // a quarter of the faces is mended, most of them for less than a tenth of the local error
+            // a quarter of the faces is repaired, most of them for less than a tenth of the local error
             const double rise = Rms(shell, mesh) / Rms(shell, collapsed);
             QVERIFY2(rise < 1.15, qPrintable(QString::number(rise)));
         }
@@ -338,10 +263,10 @@ class TestUnfold : public QObject
         parameters.effort = vcg_ext::Effort::Fast;
         std::optional<DecimatedMesh> first;
         parameters.threads = 1;
-        const DecimatedMesh folded = vcg_ext::DecimateSweeps(View(shell), parameters);
+        const DecimatedMesh folded = Collapsed(View(shell), parameters);
         for (const int threads : {1, 2, 3, 7}) {
             parameters.threads = threads;
-            const DecimatedMesh mesh = vcg_ext::Decimate(View(shell), parameters);
+            const DecimatedMesh mesh = vcg_ext::Simplify(View(shell), parameters).mesh;
             if (!first) first = mesh;
             QVERIFY(mesh.positions != folded.positions);
             QVERIFY(mesh.positions == first->positions);
@@ -355,13 +280,13 @@ class TestUnfold : public QObject
         const DecimatedMesh before = AsDecimated(PlaneWithFold());
         DecimatedMesh mesh = before;
         int calls = 0;
-        const auto report = vcg_ext::UnfoldFaces(View(plane), mesh, vcg_ext::Boundary::Free, 1,
-                                                 [&](int, const char*) { return ++calls < 2; });
-        QVERIFY(report.cancelled);
+        QVERIFY_EXCEPTION_THROWN(Repair(View(plane), mesh, vcg_ext::Boundary::Free, 1,
+                                        [&](int, const char*) { return ++calls < 2; }),
+                                 vcg_ext::Cancelled);
         QCOMPARE(calls, 2);
         QVERIFY(mesh.positions == before.positions && mesh.triangles == before.triangles);
     }
 };
 
-QTEST_APPLESS_MAIN(TestUnfold)
+QTEST_APPLESS_MAIN(TestRepairFolds)
 #include "test_repair_folds.moc"

@@ -162,10 +162,8 @@ void TestOrdered::turnsNoFaceByMoreThan78Degrees()
     QFETCH(int, percent);
     const std::size_t target =
         std::max<std::size_t>(1, mesh.triangles.size() * static_cast<std::size_t>(percent) / 100);
-    QVERIFY(
-        (smallestTurnCosine<GuidedCollapse<DoubleMesh>>(mesh, target) >= double{sweeps::kTurnCosine} - 1e-9));
-    QVERIFY((smallestTurnCosine<MeasuredCollapse<DoubleMesh>>(mesh, target) >=
-             double{sweeps::kTurnCosine} - 1e-9));
+    QVERIFY((smallestTurnCosine<GuidedCollapse<DoubleMesh>>(mesh, target) >= double{kTurnCosine} - 1e-9));
+    QVERIFY((smallestTurnCosine<MeasuredCollapse<DoubleMesh>>(mesh, target) >= double{kTurnCosine} - 1e-9));
 }
 
 void TestOrdered::addsNoDefect()
@@ -417,12 +415,12 @@ void TestOrdered::measuredOrderLowersTheError()
             for (const Triangle& t : result.triangles) {
                 const auto corner = [&](std::size_t k) {
                     const Point& q = result.points[t[k]];
-                    return Vector3{float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
+                    return Vector3<float>{float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
                 };
-                const Vector3 a = corner(0);
+                const Vector3<float> a = corner(0);
                 nearest = std::min(
                     nearest,
-                    double(ClosestOnTriangle(Vector3{} - a, corner(1) - a, corner(2) - a).distance2));
+                    double(ClosestOnTriangle(Vector3<float>{} - a, corner(1) - a, corner(2) - a).distance2));
             }
             sum += nearest;
         }
@@ -457,14 +455,15 @@ void TestOrdered::measuredErrorIsTheDistanceOfTheSamples()
 void TestOrdered::stopsWhenProgressSaysSo()
 {
     DecimationParameters parameters;
+    parameters.targetFaces = 100;
     int calls = 0, last = 0;
-    parameters.progress = [&](int percent, const char*) {
+    const StageProgress progress([&](int percent, const char*) {
         if (percent < last || percent > 100) calls = 1000;
         last = percent;
         return ++calls < 10;
-    };
-    const OrderedDecimation decimation = Decimated(Icosphere(4), 100, parameters);
-    QCOMPARE(decimation.mesh.stopReason, StopReason::Cancelled);
+    });
+    const IndexedMesh mesh = Icosphere(4);
+    QVERIFY_EXCEPTION_THROWN(DecimateOrdered(View(mesh), parameters, progress), Cancelled);
     QCOMPARE(calls, 10);
 }
 

@@ -72,11 +72,11 @@ double SquaredDistance(const Point& p, const IndexedMesh& mesh)
     for (const Triangle& t : mesh.triangles) {
         const auto seen = [&](std::size_t k) {
             const Point& q = mesh.points[t[k]];
-            return Vector3{static_cast<float>(q[0] - p[0]), static_cast<float>(q[1] - p[1]),
-                           static_cast<float>(q[2] - p[2])};
+            return Vector3<float>{static_cast<float>(q[0] - p[0]), static_cast<float>(q[1] - p[1]),
+                                  static_cast<float>(q[2] - p[2])};
         };
-        const Vector3 a = seen(0);
-        const float d2 = ClosestOnTriangle(Vector3{} - a, seen(1) - a, seen(2) - a).distance2;
+        const Vector3<float> a = seen(0);
+        const float d2 = ClosestOnTriangle(Vector3<float>{} - a, seen(1) - a, seen(2) - a).distance2;
         nearest = std::min(nearest, static_cast<double>(d2));
     }
     return nearest;

@@ -9,6 +9,7 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -111,6 +112,45 @@ class Buffer
     const T* end() const { return data() + size_; }
     T& operator[](std::size_t i) { return data_[i]; }
     const T& operator[](std::size_t i) const { return data_[i]; }
+};
+
+/// Reusable room for values that are written before they are read; never shrinks.
+template <class T>
+class Scratch
+{
+    std::vector<T> values_;
+    std::size_t size_ = 0;
+
+  public:
+    /// Values behind the old size are whatever was there.
+    void Resize(std::size_t size)
+    {
+        if (size > values_.size()) values_.resize(size + size / 2);
+        size_ = size;
+    }
+    T& Append()
+    {
+        Resize(size_ + 1);
+        return values_[size_ - 1];
+    }
+    void Clear() { size_ = 0; }
+    std::size_t size() const { return size_; }
+    T* begin() { return values_.data(); }
+    T* end() { return values_.data() + size_; }
+    T& operator[](std::size_t i) { return values_[i]; }
+    const T& operator[](std::size_t i) const { return values_[i]; }
+};
+
+/// A part of an array that somebody else owns.
+template <class T>
+struct ArrayView {
+    const T* first;
+    std::size_t count;
+
+    const T* begin() const { return first; }
+    const T* end() const { return first + count; }
+    std::size_t size() const { return count; }
+    const T& operator[](std::size_t i) const { return first[i]; }
 };
 
 } // namespace vcg_ext

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/base/stable_scatter.h"
+#include "vcg_ext/core/base/parallel.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Cells of a box, numbered along a Morton curve: neighbours in space have numbers near each other.
@@ -75,4 +75,4 @@ void SortByCode(Buffer<OrderedVertex>& vertices, int threads)
     }
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -11,7 +11,7 @@
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Carries out a collapse that was found good: the stars are gathered and the ring is evaluated at the
@@ -144,11 +144,11 @@ class CollapseWriter
             state_.ratchetRecomputes
                 ? std::min(1.0f, StarDescriptor(workspace_.star.sums) * state_.descriptorScale)
                 : 0.0f;
-        const Importance<float> merged = Merged(a, b, measured, state_.featureWeight);
+        const Importance<float> merged = MergedImportance(a, b, measured, state_.featureWeight);
         state_.descriptor[survivor] = merged.descriptor;
         state_.vertices[survivor].value[VertexRecord::kWeight] = merged.weight;
         return merged.weight / std::max(a.weight, b.weight);
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// One thread's room for new corner lists behind those of the pool. Room is claimed in chunks; where a list
@@ -46,4 +46,4 @@ class CornerArena
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -5,7 +5,7 @@
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 // Planes perpendicular to the open border, through each of its edges, with the squared length as weight. They
@@ -46,4 +46,4 @@ inline void AddBorderPlanes(SweepState& state, std::uint32_t face, float sign)
     }
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

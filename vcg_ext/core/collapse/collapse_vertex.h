@@ -11,7 +11,7 @@
 #include "vcg_ext/core/collapse/placement.h"
 #include "vcg_ext/core/collapse/ring_trial.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// What a sweep allows.
@@ -62,7 +62,7 @@ class VertexVisitor
     {
         const EdgeEnd<float> a = state_.vertices[removed].End(), b = state_.vertices[survivor].End();
         const bool fixed = state_.Has(survivor, kFixedVertex);
-        const auto placed = Placed(
+        const auto placed = PlaceEdge(
             a, b, fixed, attempt.cost, step.threshold, [&] { return AreasOf(state_, workspace_.star); },
             [&](const Vector3<float>& x) { return EvaluateRing(state_, x, workspace_.star); });
         if (placed) {
@@ -166,4 +166,4 @@ class VertexVisitor
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

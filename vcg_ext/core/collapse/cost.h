@@ -12,10 +12,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/small_algebra.h"
+#include "vcg_ext/core/geometry/symmetric_matrix.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Relative weight that pulls a placement to the edge's midpoint: 1e-6 of the mean eigenvalue.
@@ -42,9 +41,6 @@ constexpr double kDescriptorPercentile = 0.999;
 constexpr float kPoorQuality = 0.03f;
 /// A surviving face must not turn farther than this cosine: 78 degrees.
 constexpr float kTurnCosine = 0.2f;
-/// What keeps a division finite where all faces of both stars have no area, in the frame of 1024 a diagonal.
-constexpr float kTiny = 1e-30f;
-
 /// Two millionths of the diagonal, in the frame of 1024 a diagonal: errors below this are rounding. An input
 /// in float has a thirtieth of it already, and every placement that is computed adds as much.
 constexpr float kNoDistance = 2e-3f;
@@ -93,26 +89,11 @@ struct EdgeEnd {
     CentredQuadric<Real> history; ///< A: the weighted planes of every original face that ended up here
 };
 
-/// argmin of x^T (M + e I) x - 2 rhs.x by LDL^T, e = 1e-6 of the mean eigenvalue. The pivots are held at e /
-/// 2 or above, so that rounding cannot make the solution wild.
+/// What keeps a minimizer of \p m near the edge's midpoint.
 template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> SolveRegularized(const SymmetricMatrix3<Real>& m,
-                                                             const Vector3<Real>& rhs)
+[[gnu::always_inline]] inline Real MidpointPull(const SymmetricMatrix3<Real>& m)
 {
-    const Real pull = Max(m.Trace() * kMidpointPull, Fill<Real>(kTiny));
-    const Real floor = 0.5f * pull;
-    const Real inverse0 = 1.0f / (m.xx + pull);
-    const Real l10 = m.xy * inverse0;
-    const Real l20 = m.xz * inverse0;
-    const Real inverse1 = 1.0f / Max(m.yy + pull - l10 * m.xy, floor);
-    const Real t = m.yz - l20 * m.xy;
-    const Real l21 = t * inverse1;
-    const Real pivot2 = Max(m.zz + pull - l20 * m.xz - l21 * t, floor);
-    const Real y1 = rhs.y - l10 * rhs.x;
-    const Real y2 = rhs.z - l20 * rhs.x - l21 * y1;
-    const Real z = y2 / pivot2;
-    const Real y = y1 * inverse1 - l21 * z;
-    return {rhs.x * inverse0 - l10 * y - l20 * z, y, z};
+    return Max(m.Trace() * kMidpointPull, Broadcast<Real>(kSmallestSquare));
 }
 
 /// A of the vertex at \p placement that both ends merge into.
@@ -127,7 +108,7 @@ CentredQuadric<Real> MergedHistory(const EdgeEnd<Real>& a, const EdgeEnd<Real>& 
 template <class Real>
 [[gnu::always_inline]] inline Vector3<Real> HalfEdgeVector(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b)
 {
-    return Fill<Real>(0.5f) * (b.position - a.position);
+    return Broadcast<Real>(0.5f) * (b.position - a.position);
 }
 
 /// Where the edge's new vertex belongs, as offset from its midpoint: the minimum of w_a C_a + w_b C_b.
@@ -138,7 +119,8 @@ template <class Real>
 {
     const SymmetricMatrix3<Real> ca = a.weight * a.star;
     const SymmetricMatrix3<Real> cb = b.weight * b.star;
-    return SolveRegularized(ca + cb, (cb - ca) * half);
+    const SymmetricMatrix3<Real> both = ca + cb;
+    return SolveRegularized(both, (cb - ca) * half, MidpointPull(both));
 }
 
 /// g: the memoryless quadric at the placement, at least a part of the accumulated ones, and a little length.
@@ -195,7 +177,8 @@ template <class Real>
     // G.t = (G_b - G_a).half.
     const Real height = weight * Dot(areas.b - areas.a, half);
     const Vector3<Real> both = areas.a + areas.b + areas.edge;
-    return SolveRegularized(ca + cb + weight * OuterProduct(both), (cb - ca) * half + height * both);
+    const SymmetricMatrix3<Real> matrix = ca + cb + weight * OuterProduct(both);
+    return SolveRegularized(matrix, (cb - ca) * half + height * both, MidpointPull(matrix));
 }
 
 /// A face of the ring with the new vertex in it.
@@ -217,7 +200,7 @@ template <class Real>
     const Real normal2 = Dot(normal, normal);
     const Real a2 = Dot(a, a);
     const Real b2 = Dot(b, b);
-    const Real longest2 = Max(Max(a2, b2), Max(Dot(opposite, opposite), Fill<Real>(kTinyLength2)));
+    const Real longest2 = Max(Max(a2, b2), Max(Dot(opposite, opposite), Broadcast<Real>(kTinyLength2)));
     return {normal, normal2, normal2 / (longest2 * longest2), Sqrt(a2), Sqrt(b2)};
 }
 
@@ -241,4 +224,4 @@ Real QualityPenalty(Real worst2)
     return worst2 >= kPoor2 ? Real{1} : Sqrt(kPoor2 / std::max(worst2, kNoQuality2));
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

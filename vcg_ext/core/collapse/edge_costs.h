@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <cstring>
 
+#include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
-
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Writes the neighbours of \p v. \return false if one of them lies outside \p range
@@ -26,7 +26,8 @@ inline bool CollectNeighbours(const SweepState& state, std::uint32_t v, const Ve
         const std::uint32_t next = state.Next(list[i]), previous = state.Previous(list[i]);
         vertex[i] = next;
         vertex[count + i] = previous;
-        inside &= range.Contains(next) & range.Contains(previous);
+        inside &= range.Has(next);
+        inside &= range.Has(previous);
     }
     neighbours.size = count;
     if (!inside) return false;
@@ -138,4 +139,4 @@ inline void EvaluateEdges(const SweepState& state, std::uint32_t v, NeighbourScr
         if (state.Has(neighbours.vertex[i], kFixedVertex)) neighbours.cost[i] = kNoKey;
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

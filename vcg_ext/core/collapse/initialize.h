@@ -12,8 +12,9 @@
 #include "vcg_ext/core/collapse/border_planes.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
+#include "vcg_ext/core/parameters.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Gives every vertex its descriptor, weight and quadrics before the first collapse. One pass over the stars,
@@ -229,4 +230,4 @@ class SweepStarter
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

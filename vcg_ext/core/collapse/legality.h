@@ -9,7 +9,7 @@
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// May the gathered edge be merged without a new non-manifold edge, a duplicate face or a pinched border? The
@@ -172,4 +172,4 @@ class CollapseGuard
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

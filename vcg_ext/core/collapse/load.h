@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/base/stable_scatter.h"
 #include "vcg_ext/core/collapse/arena.h"
 #include "vcg_ext/core/base/morton.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Faces whose corners fit the 32 bits of a pool with the lists of one sweep behind it.
@@ -54,7 +54,7 @@ class SweepLoader
         if (view.faceCount >= kMostFaces || view.vertexCount >= kMostVertices)
             throw std::length_error("the mesh has " + std::to_string(view.faceCount) + " faces and " +
                                     std::to_string(view.vertexCount) +
-                                    " vertices; the sweep engine takes fewer than 2^29 and 2^30");
+                                    " vertices; the engine handles fewer than 2^29 faces and 2^30 vertices");
     }
 
     void Load()
@@ -138,11 +138,13 @@ class SweepLoader
     {
         double diagonal2 = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            state_.centre[k] = 0.5 * low_[k] + 0.5 * high_[k];
+            state_.frame.center[k] = 0.5 * low_[k] + 0.5 * high_[k];
             diagonal2 += (high_[k] - low_[k]) * (high_[k] - low_[k]);
         }
-        const double unit = std::sqrt(diagonal2) / 1024;
-        state_.unit = unit > 0 && std::isfinite(1 / unit) ? unit : 1;
+        const double unit = std::sqrt(diagonal2) / kFrameDiagonal;
+        if (!(unit > 0 && std::isfinite(1 / unit))) return;
+        state_.frame.unit = unit;
+        state_.frame.scale = 1 / unit;
     }
 
     void MakeVertices()
@@ -154,15 +156,12 @@ class SweepLoader
         state_.cornerCount.Allocate(count);
         state_.flags.Allocate(count);
         indexOf_.Allocate(view_.vertexCount);
-        const double scale = 1 / state_.unit;
         constexpr std::size_t kAhead = 16; // vertices: about what memory takes to answer
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) {
                 if (v + kAhead < count) Prefetch(view_.PositionAddress(sorted[v + kAhead].origin));
                 const std::uint32_t origin = sorted[v].origin;
-                const std::array<double, 3> p = view_.Position(origin);
-                for (std::size_t k = 0; k < 3; ++k)
-                    state_.vertices[v].value[k] = static_cast<float>((p[k] - state_.centre[k]) * scale);
+                state_.vertices[v].SetPosition(state_.frame.Into(view_.Position(origin)));
                 state_.origin[v] = origin;
                 state_.cornerCount[v] = inputCorners_[origin];
                 state_.flags[v] = Fixed(origin) ? std::uint8_t{kFixedVertex} : std::uint8_t{0};
@@ -293,4 +292,4 @@ class SweepLoader
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -8,7 +8,7 @@
 #include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/collapse/state.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Appends the star of \p centre, sorting its faces into those that stay and those on the edge to \p other.
@@ -23,7 +23,8 @@ inline bool AppendStar(const SweepState& state, std::uint32_t centre, std::uint3
     for (std::uint32_t i = 0; i < state.cornerCount[centre]; ++i) {
         const std::uint32_t next = state.Next(list[i]), previous = state.Previous(list[i]);
         const bool dies = next == other || previous == other;
-        inside &= range.Contains(next) & range.Contains(previous);
+        inside &= range.Has(next);
+        inside &= range.Has(previous);
         // Both places are written and one of the counts advances: the branch would not be predictable.
         star.deadFace[dead] = FaceOf(list[i]);
         star.wing[dead] = next == other ? previous : next;
@@ -112,4 +113,4 @@ inline std::optional<float> EvaluateRing(const SweepState& state, const Vector3<
     return QualityPenalty(MinLane(worst2));
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/sweep.h"
+#include "vcg_ext/core/parameters.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Chooses the threshold of every sweep and decides when there is nothing left to do.
@@ -36,15 +37,12 @@ class SweepSchedule
 
     SweepState& state_;
     SweepRunner runner_;
-    int threads_;
 
   public:
-    SweepSchedule(SweepState& state, int threads) : state_(state), runner_(state, threads), threads_(threads)
-    {
-    }
+    SweepSchedule(SweepState& state, int threads) : state_(state), runner_(state, threads) {}
 
     /// Collapses until at most \p target faces are left. \param report called between sweeps with the part of
-    /// the way that is done, in [0, 1]; false stops the run
+    /// the way that is done, in [0, 1]
     template <class Report>
     StopReason Run(std::size_t target, const Report& report)
     {
@@ -54,7 +52,7 @@ class SweepSchedule
         while (state_.aliveFaces > target) {
             const auto way =
                 static_cast<double>(start - state_.aliveFaces) / static_cast<double>(start - target);
-            if (!report(way)) return StopReason::Cancelled;
+            report(way);
             const std::size_t died = runner_.Sweep(step, target);
             if (died > 0)
                 step = NextStep(step, died, target);
@@ -178,4 +176,4 @@ class SweepSchedule
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

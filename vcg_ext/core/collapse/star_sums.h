@@ -12,7 +12,7 @@
 
 #include "vcg_ext/core/collapse/cost.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// m = n / sqrt|n| of a face with n = 2 area x unit normal: m m^T is 2 area times its plane's quadric. 0
@@ -58,7 +58,7 @@ struct CreasePlanes {
     SymmetricMatrix3<Real> Sum() const
     {
         const float foldWeight = folds < kFoldsAtATip ? kCreaseWeight : kTipWeight;
-        return Fill<Real>(kCreaseWeight) * creases + Fill<Real>(foldWeight) * folded;
+        return Broadcast<Real>(kCreaseWeight) * creases + Broadcast<Real>(foldWeight) * folded;
     }
 };
 
@@ -75,7 +75,7 @@ struct StarSums {
     void Add(const Vector3<Real>& a, const Vector3<Real>& b, const Real& lengthA, const Real& lengthB,
              const Vector3<Real>& scaledNormal, const Real& inverseRoot)
     {
-        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Fill<Real>(kTiny));
+        const Real cosine = Dot(a, b) / Max(lengthA * lengthB, Broadcast<Real>(kSmallestSquare));
         const Real chord = Sqrt(Max(Real{}, 2.0f - 2.0f * cosine)) * inverseRoot;
         edges = edges + (a + b);
         normal = normal + chord * scaledNormal;
@@ -84,7 +84,7 @@ struct StarSums {
     }
     void Add(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& scaledNormal)
     {
-        const Real root2 = Max(Dot(scaledNormal, scaledNormal), Fill<Real>(kTiny));
+        const Real root2 = Max(Dot(scaledNormal, scaledNormal), Broadcast<Real>(kSmallestSquare));
         Add(a, b, Sqrt(Dot(a, a)), Sqrt(Dot(b, b)), scaledNormal, 1.0f / Sqrt(root2));
     }
     /// Adds \p share of an edge by itself: where the faces do not close up around the vertex, its edges count
@@ -99,14 +99,7 @@ struct StarSums {
 /// The lanes of all sums added up.
 inline StarSums<float> Summed(const StarSums<Float4>& sums)
 {
-    const auto vector = [](const Vector3<Float4>& a) {
-        return Vector3<float>{SumLanes(a.x), SumLanes(a.y), SumLanes(a.z)};
-    };
-    const SymmetricMatrix3<Float4>& m = sums.star;
-    return {vector(sums.edges),
-            vector(sums.normal),
-            SumLanes(sums.length),
-            {SumLanes(m.xx), SumLanes(m.xy), SumLanes(m.xz), SumLanes(m.yy), SumLanes(m.yz), SumLanes(m.zz)}};
+    return {SumLanes(sums.edges), SumLanes(sums.normal), SumLanes(sums.length), SumLanes(sums.star)};
 }
 
 /// Eq. 5: |sum of (v_j - v).n| / sum of |v_j - v|, in [0, 1]; 0 where there is no normal.
@@ -145,11 +138,12 @@ Importance<Real> ImportanceOf(Real descriptor, Real lambda)
 /// The ratchet: what two vertices merge into is as important as either of them, and more so where its new
 /// star shows more. \param measured l of that star; 0 where it is not measured
 template <class Real>
-Importance<Real> Merged(const Importance<Real>& a, const Importance<Real>& b, Real measured, Real lambda)
+Importance<Real> MergedImportance(const Importance<Real>& a, const Importance<Real>& b, Real measured,
+                                  Real lambda)
 {
     const Real descriptor = Max(a.descriptor, b.descriptor);
     if (measured > descriptor) return ImportanceOf(measured, lambda);
     return {descriptor, Max(a.weight, b.weight)};
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

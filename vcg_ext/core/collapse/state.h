@@ -8,11 +8,13 @@
 #include <cstdint>
 
 #include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/base/float8.h"
+#include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/cost.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/surface.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// A vertex as the inner loops read it: 80 bytes, five vectors of four floats.
@@ -81,10 +83,6 @@ constexpr float kRefusedKey = 1e38f;
 /// No threshold is higher: what is refused stays out of reach.
 constexpr float kHighestThreshold = 5e37f;
 
-// Tables, because what a corner's index is cannot be predicted.
-inline constexpr std::uint8_t kNextIndex[4] = {1, 2, 0, 0};
-inline constexpr std::uint8_t kPreviousIndex[4] = {2, 0, 1, 0};
-
 /// Everything that the collapses read and write. Vertices are in Morton order, faces in the order of their
 /// smallest vertex, so that neighbours in space are neighbours in memory.
 struct SweepState {
@@ -102,14 +100,13 @@ struct SweepState {
     Buffer<std::uint32_t> mergedInto;   ///< whom a vertex was merged into, itself if it was not; may be empty
     std::size_t aliveFaces = 0;
 
-    std::array<double, 3> centre{}; ///< of the box of the referenced vertices
-    double unit = 1;                ///< input length of 1 in the frame: diagonal / 1024
-    float descriptorScale = 1;      ///< 1 / the descriptor that counts as 1
-    float featureWeight = 0;        ///< lambda
-    bool ratchetRecomputes = true;  ///< the survivor's descriptor is measured again
-    bool bordersCount = true;       ///< planes perpendicular to open borders belong to the quadrics
-    bool keepOriginal = false;      ///< the input's lists are not overwritten
-    bool eightAtOnce = HasAvx2();   ///< the same bytes, in less time
+    Frame frame;                   ///< of the box of the referenced vertices
+    float descriptorScale = 1;     ///< 1 / the descriptor that counts as 1
+    float featureWeight = 0;       ///< lambda
+    bool ratchetRecomputes = true; ///< the survivor's descriptor is measured again
+    bool bordersCount = true;      ///< planes perpendicular to open borders belong to the quadrics
+    bool keepOriginal = false;     ///< the input's lists are not overwritten
+    bool eightAtOnce = HasAvx2();  ///< the same bytes, in less time
     bool anyFixed = false;
     bool preserveTopology = false;
 
@@ -122,12 +119,6 @@ struct SweepState {
     {
         return faces[FaceOf(corner)].v[kPreviousIndex[corner & 3]];
     }
-};
-
-/// Consecutive vertices that one thread may change.
-struct VertexRange {
-    std::uint32_t begin, end;
-    bool Contains(std::uint32_t v) const { return v - begin < end - begin; }
 };
 
 /// A pass over many vertices waits for memory most of all. Asked for in two stages, what it is about to read
@@ -180,4 +171,4 @@ inline int FacesOnEdge(const SweepState& state, std::uint32_t a, std::uint32_t b
     return faces;
 }
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -11,7 +11,7 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/collapse_vertex.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// Runs single sweeps over all vertices, on several threads.
@@ -229,4 +229,4 @@ class SweepRunner
     }
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

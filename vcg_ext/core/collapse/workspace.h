@@ -10,7 +10,7 @@
 #include "vcg_ext/core/collapse/arena.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 
-namespace vcg_ext::sweeps
+namespace vcg_ext
 {
 
 /// The neighbours of the vertex that is looked at, and what merging with each of them would cost. Grows to
@@ -69,4 +69,4 @@ struct Workspace {
     CornerArena arena;
 };
 
-} // namespace vcg_ext::sweeps
+} // namespace vcg_ext

@@ -7,15 +7,15 @@
 #include <cstring>
 #include <type_traits>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/small_algebra.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/base/float4.h"
+#include "vcg_ext/core/geometry/vector.h"
 
 namespace vcg_ext
 {
 
 /// Three coordinates of four vectors.
-using Float4x3 = sweeps::Vector3<Float4>;
+using Float4x3 = Vector3<Float4>;
 
 /// A position as it is stored.
 struct Double3 {

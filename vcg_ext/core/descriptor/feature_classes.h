@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/descriptor/kmeans_1d.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 
@@ -46,14 +46,15 @@ inline void Check(const MeshView& mesh, const std::vector<double>& descriptor,
     };
     const int k = parameters.classes;
     if (descriptor.size() != mesh.vertexCount)
-        throw std::invalid_argument(std::to_string(descriptor.size()) + " descriptors for " +
+        throw std::invalid_argument(std::to_string(descriptor.size()) + " descriptor values for " +
                                     std::to_string(mesh.vertexCount) + " vertices");
     if (k < 2 || k > 16) refuse("classes", std::to_string(k), "[2, 16]");
     if (parameters.selectedClasses < 1 || parameters.selectedClasses >= k)
         refuse("selected_classes", std::to_string(parameters.selectedClasses),
                "[1, " + std::to_string(k - 1) + "]");
     if (parameters.minimumFeatureNeighbours < 1)
-        refuse("minimum_feature_neighbours", std::to_string(parameters.minimumFeatureNeighbours), "[1, )");
+        refuse("minimum_feature_neighbours", std::to_string(parameters.minimumFeatureNeighbours),
+               "[1, infinity)");
     if (!(parameters.refinementFloor >= 0 && parameters.refinementFloor <= 1))
         refuse("refinement_floor", std::to_string(parameters.refinementFloor), "[0, 1]");
 }

@@ -151,7 +151,7 @@ inline void Check(const std::vector<double>& values, int classes)
     if (bad > 0)
         throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(values.size()) +
                                     " values to classify are not finite");
-    if (classes < 1) throw std::invalid_argument("classes = " + std::to_string(classes) + " is below 1");
+    if (classes < 1) throw std::invalid_argument("classes = " + std::to_string(classes) + " is less than 1");
 }
 
 } // namespace kmeans_detail
@@ -166,8 +166,8 @@ inline Clusters KMeans1D(const std::vector<double>& values, int classes)
     kmeans_detail::Check(values, classes);
     const std::vector<kmeans_detail::Bin> bins = kmeans_detail::MakeBins(values);
     if (static_cast<std::size_t>(classes) > bins.size())
-        throw std::invalid_argument("classes = " + std::to_string(classes) + " is more than the " +
-                                    std::to_string(bins.size()) + " distinct values");
+        throw std::invalid_argument("classes = " + std::to_string(classes) +
+                                    " exceeds the number of distinct values, " + std::to_string(bins.size()));
     const std::vector<std::size_t> starts =
         kmeans_detail::OptimalCuts(bins).Find(static_cast<std::size_t>(classes));
     Clusters clusters;

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/descriptor/one_ring_descriptors.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/descriptor/vertex_normals.h"
 #include "vcg_ext/core/descriptor/vertex_sums.h"
 
@@ -101,8 +101,8 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads, boo
     std::vector<Found> found(ranges);
     ParallelFor(threads, ranges, [&](std::size_t range, int) {
         const std::size_t begin = bound(range), end = bound(range + 1);
-        found[range].repeated =
-            SumFaces<Scalar>(mesh, VertexRange{begin, end - begin}, sums.data(), eightAtOnce);
+        const VertexRange vertices{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+        found[range].repeated = SumFaces<Scalar>(mesh, vertices, sums.data(), eightAtOnce);
         ReadSums(sums.data(), begin, end, values.data(), found[range].irregular);
     });
     Found all;
@@ -126,7 +126,7 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads, boo
 inline std::vector<double> LaplacianDescriptor(const MeshView& mesh, int threads = 1)
 {
     if (mesh.fauxEdges != nullptr) return OneRingDescriptor<LaplacianFold>(mesh, threads);
-    threads = ThreadsThatPay(threads, mesh.faceCount);
+    threads = UsefulThreadCount(threads, mesh.faceCount);
     const bool eightAtOnce = HasAvx2();
     return mesh.doublePositions ? LaplacianDescriptorOf<double>(mesh, threads, eightAtOnce)
                                 : LaplacianDescriptorOf<float>(mesh, threads, eightAtOnce);

@@ -12,7 +12,7 @@
 #include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/descriptor/vertex_normals.h"
 
 // Descriptors that a vertex, its normal n and the edges e to its neighbours define. All of them fold four
@@ -118,7 +118,7 @@ template <class Fold>
 std::vector<double> OneRingDescriptor(const MeshView& mesh, int threads = 1)
 {
     std::vector<double> values(mesh.vertexCount, 0);
-    threads = ThreadsThatPay(threads, mesh.faceCount);
+    threads = UsefulThreadCount(threads, mesh.faceCount);
     const OneRings rings(mesh, threads);
     if (mesh.doublePositions)
         FoldOneRings<Fold, double>(mesh, rings, threads, values);

@@ -9,7 +9,7 @@
 
 #include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/base/float4.h"
 
 // The vertex normal of the descriptors: every face's unit normal counts with the chord sqrt(2 - 2 cos) of its
 // angle at the vertex. Angle weights are what makes the descriptor tell creases from noise; the chord follows

@@ -8,16 +8,16 @@
 #include <type_traits>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimation_types.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/small_algebra.h"
+#include "vcg_ext/core/base/float8.h"
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/geometry/vector.h"
 
 // One pass over the faces that adds up, at every vertex, what the Laplacian descriptor is made of. Every
 // neighbour is counted by the face in which it is the next vertex; where that does not count every neighbour
 // once the sums tell so.
-
 namespace vcg_ext
 {
 
@@ -36,7 +36,7 @@ struct VertexSums {
 template <class Real>
 [[gnu::always_inline]] inline Real MarksOf(const UnsignedLike<Real>& mixed)
 {
-    return __builtin_convertvector(reinterpret_cast<IntLike<Real>>(mixed >> 11), Real);
+    return ToFloats(mixed >> 11);
 }
 
 /// Of 64 bits, one in every byte, that stand for a vertex among the neighbours of another: one vertex of
@@ -63,19 +63,12 @@ struct DirectedEdge {
     }
 };
 
-/// The vertices that a thread adds up for.
-struct VertexRange {
-    std::size_t first, count;
-
-    bool Has(std::uint32_t v) const { return v - first < count; }
-};
-
 /// Takes the faces in batches of as many as a Real has lanes.
 /// \tparam Real Float4 or Float8; the sums are the same \tparam Scalar of the coordinates
 template <class Real, class Scalar>
 class FaceBatch
 {
-    using Vectors = sweeps::Vector3<Real>;
+    using Vectors = Vector3<Real>;
     static constexpr std::size_t kFaces = kLanesOf<Real>;
 
     Vectors edge_[3]; ///< from vertex k to the next
@@ -148,8 +141,8 @@ class FaceBatch
         Vectors normal = Cross(edge_[0], edge_[1]);
         WeighCorners(length, normal, weight);
         const Real product = length[0] * length[1];
-        const IntLike<Real> usual = Dot(normal, normal) > kSharp2 * (product * product) + kTiny;
-        normal.x = reinterpret_cast<Real>(reinterpret_cast<IntLike<Real>>(normal.x) | ~usual);
+        const auto usual = Dot(normal, normal) > kSharp2 * (product * product) + kTiny;
+        MakeNan(normal.x, ~usual);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vectors weighted = weight[k] * normal;
             const Real columns[8]{mark_[(k + 2) % 3] - mark_[(k + 1) % 3],
@@ -213,7 +206,7 @@ template <class Real, class Scalar>
     };
     std::size_t f = 0;
     const std::size_t last = mesh.faceCount > kAhead ? mesh.faceCount - kAhead : 0; // to read ahead from
-    if (range.count == mesh.vertexCount) {
+    if (range.end - range.begin == mesh.vertexCount) {
         for (; f + kFaces <= last; f += kFaces) {
             const std::uint32_t* corners = mesh.triangles + 3 * f;
             readAhead(corners, kFaces);

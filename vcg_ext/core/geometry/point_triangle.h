@@ -5,70 +5,75 @@
 // The point of a triangle closest to a query point. The first corner of the triangle is always the origin:
 // differences of near points are exact in single precision, absolute coordinates would lose them.
 
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/geometry/vector3.h"
+#include <algorithm>
+
+#include "vcg_ext/core/base/float4.h"
+#include "vcg_ext/core/geometry/vector.h"
 
 namespace vcg_ext
 {
 
-/// Squares smaller than this are taken for it where something is divided by them.
-constexpr float kSmallestSquare = 1e-30F;
-
-struct ClosestPoint {
-    float distance2;  ///< square of the distance
-    float weights[3]; ///< barycentric coordinates of the closest point
+template <class Real>
+struct ClosestPointOf {
+    Real distance2;  ///< square of the distance
+    Real weights[3]; ///< barycentric coordinates of the closest point
 };
+using ClosestPoint = ClosestPointOf<float>;
 
 /// A triangle whose angle at the first corner has a squared sine below this is taken for its edges: its
 /// computed normal would be rounding, and a height over it no distance.
 constexpr float kFlattestSine2 = 1e-12F;
 
 /// The point (1 - wb - wc) 0 + wb b + wc c as an answer.
-inline ClosestPoint PointAtWeights(const Vector3& p, const Vector3& b, const Vector3& c, float wb, float wc)
+template <class Real>
+ClosestPointOf<Real> PointAtWeights(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c,
+                                    Real wb, Real wc)
 {
-    const Vector3 difference = p - wb * b - wc * c;
+    const Vector3<Real> difference = p - wb * b - wc * c;
     return {SquaredNorm(difference), {1 - wb - wc, wb, wc}};
 }
 
 /// Of a triangle without area: the best of its three edges.
-inline ClosestPoint ClosestOnEdges(const Vector3& p, const Vector3& b, const Vector3& c)
+template <class Real>
+ClosestPointOf<Real> ClosestOnEdges(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-    const auto along = [](const Vector3& q, const Vector3& edge) {
-        return std::clamp(Dot(q, edge) / std::max(Dot(edge, edge), kSmallestSquare), 0.0F, 1.0F);
+    const auto along = [](const Vector3<Real>& q, const Vector3<Real>& edge) {
+        return std::clamp(Dot(q, edge) / std::max(Dot(edge, edge), Real{kSmallestSquare}), Real{0}, Real{1});
     };
-    const float t = along(p - b, c - b);
-    ClosestPoint best = PointAtWeights(p, b, c, 1 - t, t);
-    for (const ClosestPoint& other :
-         {PointAtWeights(p, b, c, along(p, b), 0), PointAtWeights(p, b, c, 0, along(p, c))})
+    const Real t = along(p - b, c - b);
+    ClosestPointOf<Real> best = PointAtWeights<Real>(p, b, c, 1 - t, t);
+    for (const ClosestPointOf<Real>& other :
+         {PointAtWeights<Real>(p, b, c, along(p, b), 0), PointAtWeights<Real>(p, b, c, 0, along(p, c))})
         if (other.distance2 < best.distance2) best = other;
     return best;
 }
 
 /// Plain form, the reference for the one below: the seven regions of the plane, corners and edges first
 /// (Ericson, Real-Time Collision Detection, 2005, 5.1.5). Degenerate triangles are segments or points.
-inline ClosestPoint ClosestOnTriangle(const Vector3& p, const Vector3& b, const Vector3& c)
+template <class Real>
+ClosestPointOf<Real> ClosestOnTriangle(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c)
 {
-    const float pb = Dot(p, b), pc = Dot(p, c);
-    if (pb <= 0 && pc <= 0) return PointAtWeights(p, b, c, 0, 0);
-    const float bb = Dot(b, b), bc = Dot(b, c), cc = Dot(c, c);
-    const float fromB = pb - bb, fromBAlongC = pc - bc;
-    if (fromB >= 0 && fromBAlongC <= fromB) return PointAtWeights(p, b, c, 1, 0);
-    const float besideB = pb * fromBAlongC - fromB * pc;
-    if (besideB <= 0 && pb >= 0 && fromB <= 0 && bb > 0) return PointAtWeights(p, b, c, pb / bb, 0);
-    const float fromCAlongB = pb - bc, fromC = pc - cc;
-    if (fromC >= 0 && fromCAlongB <= fromC) return PointAtWeights(p, b, c, 0, 1);
-    const float besideC = fromCAlongB * pc - pb * fromC;
-    if (besideC <= 0 && pc >= 0 && fromC <= 0 && cc > 0) return PointAtWeights(p, b, c, 0, pc / cc);
-    const float besideFar = fromB * fromC - fromCAlongB * fromBAlongC;
-    const float alongFar = fromBAlongC - fromB, beforeC = fromCAlongB - fromC;
-    const float length = alongFar + beforeC;
+    const Real pb = Dot(p, b), pc = Dot(p, c);
+    if (pb <= 0 && pc <= 0) return PointAtWeights<Real>(p, b, c, 0, 0);
+    const Real bb = Dot(b, b), bc = Dot(b, c), cc = Dot(c, c);
+    const Real fromB = pb - bb, fromBAlongC = pc - bc;
+    if (fromB >= 0 && fromBAlongC <= fromB) return PointAtWeights<Real>(p, b, c, 1, 0);
+    const Real besideB = pb * fromBAlongC - fromB * pc;
+    if (besideB <= 0 && pb >= 0 && fromB <= 0 && bb > 0) return PointAtWeights<Real>(p, b, c, pb / bb, 0);
+    const Real fromCAlongB = pb - bc, fromC = pc - cc;
+    if (fromC >= 0 && fromCAlongB <= fromC) return PointAtWeights<Real>(p, b, c, 0, 1);
+    const Real besideC = fromCAlongB * pc - pb * fromC;
+    if (besideC <= 0 && pc >= 0 && fromC <= 0 && cc > 0) return PointAtWeights<Real>(p, b, c, 0, pc / cc);
+    const Real besideFar = fromB * fromC - fromCAlongB * fromBAlongC;
+    const Real alongFar = fromBAlongC - fromB, beforeC = fromCAlongB - fromC;
+    const Real length = alongFar + beforeC;
     if (besideFar <= 0 && alongFar >= 0 && beforeC >= 0 && length > 0)
-        return PointAtWeights(p, b, c, beforeC / length, alongFar / length);
-    const Vector3 normal = Cross(b, c);
-    const float normal2 = SquaredNorm(normal), height = Dot(normal, p);
-    if (!(normal2 > kFlattestSine2 * bb * cc)) return ClosestOnEdges(p, b, c);
-    const float determinant = std::max(bb * cc - bc * bc, kSmallestSquare);
-    const float wb = (cc * pb - bc * pc) / determinant, wc = (bb * pc - bc * pb) / determinant;
+        return PointAtWeights<Real>(p, b, c, beforeC / length, alongFar / length);
+    const Vector3<Real> normal = Cross(b, c);
+    const Real normal2 = SquaredNorm(normal), height = Dot(normal, p);
+    if (!(normal2 > Real{kFlattestSine2} * bb * cc)) return ClosestOnEdges(p, b, c);
+    const Real determinant = std::max(bb * cc - bc * bc, Real{kSmallestSquare});
+    const Real wb = (cc * pb - bc * pc) / determinant, wc = (bb * pc - bc * pb) / determinant;
     return {height * height / normal2, {1 - wb - wc, wb, wc}};
 }
 
@@ -84,22 +89,6 @@ struct PreparedTriangle {
     Real quality; ///< double area / square of the longest edge: .866 if equilateral, 0 if degenerate
 };
 
-inline float LargerOf(float a, float b)
-{
-    return std::max(a, b);
-}
-inline Float4 LargerOf(Float4 a, Float4 b)
-{
-    return Max(a, b);
-}
-inline float RootOf(float a)
-{
-    return std::sqrt(a);
-}
-inline Float4 RootOf(Float4 a)
-{
-    return Sqrt(a);
-}
 inline float OrZero(bool keep, float a)
 {
     return keep ? a : 0;
@@ -124,49 +113,40 @@ template <class Real>
     t.bb = bx * bx + by * by + bz * bz;
     t.bc = bx * cx + by * cy + bz * cz;
     t.cc = cx * cx + cy * cy + cz * cz;
-    t.inverseBB = one / LargerOf(t.bb, smallest);
-    t.inverseCC = one / LargerOf(t.cc, smallest);
-    t.inverseFar = one / LargerOf(far2, smallest);
-    const auto proper = normal2 > LargerOf(kFlattestSine2 * t.bb * t.cc, smallest);
-    t.inverseDeterminant = OrZero(proper, one / LargerOf(normal2, smallest));
-    t.doubleArea = OrZero(proper, RootOf(normal2));
+    t.inverseBB = one / Max(t.bb, smallest);
+    t.inverseCC = one / Max(t.cc, smallest);
+    t.inverseFar = one / Max(far2, smallest);
+    const auto proper = normal2 > Max(kFlattestSine2 * t.bb * t.cc, smallest);
+    t.inverseDeterminant = OrZero(proper, one / Max(normal2, smallest));
+    t.doubleArea = OrZero(proper, Sqrt(normal2));
     const Real inverseNormal = t.doubleArea * t.inverseDeterminant;
     t.nx = nx * inverseNormal, t.ny = ny * inverseNormal, t.nz = nz * inverseNormal;
-    t.quality = t.doubleArea / LargerOf(LargerOf(t.bb, t.cc), LargerOf(far2, smallest));
+    t.quality = t.doubleArea / Max(Max(t.bb, t.cc), Max(far2, smallest));
     return t;
 }
-inline PreparedTriangle<float> PrepareTriangle(const Vector3& b, const Vector3& c)
+inline PreparedTriangle<float> PrepareTriangle(const Vector3<float>& b, const Vector3<float>& c)
 {
     return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z);
 }
-inline Vector3 NormalOf(const PreparedTriangle<float>& t)
+inline Vector3<float> NormalOf(const PreparedTriangle<float>& t)
 {
     return {t.nx, t.ny, t.nz};
 }
 
-/// Four points or directions.
-struct FourPoints {
-    Float4 x, y, z;
+/// Four triangles anywhere.
+struct FourTriangles {
+    Vector3<Float4> a, b, c; ///< the first corner, and the others seen from it
+
+    Vector3<Float4> Seen(const Vector3<float>& p) const { return Splat(p) - a; }
+    PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z); }
 };
-inline Float4 SquaredNorm(const FourPoints& p)
-{
-    return p.x * p.x + p.y * p.y + p.z * p.z;
-}
-inline FourPoints Moved(const FourPoints& p, const Vector3& by)
-{
-    return {p.x + by.x, p.y + by.y, p.z + by.z};
-}
-inline FourPoints Select(Int4 mask, const FourPoints& yes, const FourPoints& no)
-{
-    return {Select(mask, yes.x, no.x), Select(mask, yes.y, no.y), Select(mask, yes.z, no.z)};
-}
 
 struct FourClosestPoints {
     Float4 distance2;
-    Int4 inside;           ///< the closest point is the projection on the plane
-    Int4 onFarEdge;        ///< it lies on the edge between the second and third corner
-    Float4 originWeight;   ///< its barycentric coordinate at the first corner
-    FourPoints difference; ///< from it to the query point
+    Int4 inside;                ///< the closest point is the projection on the plane
+    Int4 onFarEdge;             ///< it lies on the edge between the second and third corner
+    Float4 originWeight;        ///< its barycentric coordinate at the first corner
+    Vector3<Float4> difference; ///< from it to the query point
 };
 
 inline Float4 ClampToUnit(Float4 t)
@@ -176,7 +156,7 @@ inline Float4 ClampToUnit(Float4 t)
 
 /// ClosestOnTriangle four times at once. Always inlined: answers that the caller does not read cost nothing.
 template <class Real>
-[[gnu::always_inline]] inline FourClosestPoints ClosestOnTriangle(const FourPoints& p,
+[[gnu::always_inline]] inline FourClosestPoints ClosestOnTriangle(const Vector3<Float4>& p,
                                                                   const PreparedTriangle<Real>& t)
 {
     const Float4 pb = p.x * t.bx + p.y * t.by + p.z * t.bz, pc = p.x * t.cx + p.y * t.cy + p.z * t.cz;
@@ -195,15 +175,15 @@ template <class Real>
 
     const Float4 tb = ClampToUnit(pb * t.inverseBB), tc = ClampToUnit(pc * t.inverseCC);
     const Float4 tf = ClampToUnit((pc - pb + (t.bb - t.bc)) * t.inverseFar);
-    const FourPoints toB{p.x - tb * t.bx, p.y - tb * t.by, p.z - tb * t.bz};
-    const FourPoints toC{p.x - tc * t.cx, p.y - tc * t.cy, p.z - tc * t.cz};
-    const FourPoints toFar{p.x - t.bx - tf * (t.cx - t.bx), p.y - t.by - tf * (t.cy - t.by),
-                           p.z - t.bz - tf * (t.cz - t.bz)};
+    const Vector3<Float4> toB{p.x - tb * t.bx, p.y - tb * t.by, p.z - tb * t.bz};
+    const Vector3<Float4> toC{p.x - tc * t.cx, p.y - tc * t.cy, p.z - tc * t.cz};
+    const Vector3<Float4> toFar{p.x - t.bx - tf * (t.cx - t.bx), p.y - t.by - tf * (t.cy - t.by),
+                                p.z - t.bz - tf * (t.cz - t.bz)};
     const Float4 dB = SquaredNorm(toB), dC = SquaredNorm(toC), dFar = SquaredNorm(toFar);
     const Float4 near = Min(dB, dC), edge = Min(near, dFar);
     const Int4 cNearer = dC < dB, farNearest = dFar < near;
     const Float4 edgeWeight = Select(farNearest, zero, 1.0F - Select(cNearer, tc, tb));
-    const FourPoints toEdge = Select(farNearest, toFar, Select(cNearer, toC, toB));
+    const Vector3<Float4> toEdge = Select(farNearest, toFar, Select(cNearer, toC, toB));
     constexpr float kTie = 1.0001F; // a corner belongs to both of its edges, whatever the rounding
     r.onFarEdge = ~r.inside & (dFar <= near * kTie);
     r.originWeight = Select(r.inside, r.originWeight, edgeWeight);

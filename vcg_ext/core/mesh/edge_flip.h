@@ -8,8 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
@@ -39,8 +38,7 @@ inline bool AreNeighbours(const SurfaceArrays& surface, std::uint32_t v, std::ui
 inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
                                                       std::uint32_t w)
 {
-    constexpr std::uint32_t kFewestFaces = 3; // around a vertex that has lost one
-    constexpr int kBefore[3] = {2, 0, 1};
+    constexpr std::uint32_t kMinFaces = 3; // around a vertex that has lost one
     if (surface.flags[v] & surface.flags[w] & kFixedVertex) return std::nullopt;
     if (surface.cornerCount[v] > surface.cornerCount[w]) std::swap(v, w);
     int leaving = 0, arriving = 0;
@@ -57,22 +55,22 @@ inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surfa
     }
     if (leaving != 1 || arriving != 1) return std::nullopt;
     const FlippableEdge edge{out,
-                             MakeCorner(FaceOf(in), kBefore[IndexOf(in)]),
+                             MakeCorner(FaceOf(in), kPreviousIndex[IndexOf(in)]),
                              v,
                              w,
                              PreviousVertex(surface, out),
                              NextVertex(surface, in)};
     const auto full = [&](std::uint32_t u) { return surface.cornerCount[u] >= CornerCapacity(surface, u); };
-    const bool may = edge.c != edge.d && surface.cornerCount[v] > kFewestFaces &&
-                     surface.cornerCount[w] > kFewestFaces && !full(edge.c) && !full(edge.d);
+    const bool may = edge.c != edge.d && surface.cornerCount[v] > kMinFaces &&
+                     surface.cornerCount[w] > kMinFaces && !full(edge.c) && !full(edge.d);
     return may ? std::optional(edge) : std::nullopt;
 }
 
 /// \pre the edge is as FindFlippableEdge found it, and c and d are not neighbours
 inline void FlipEdge(SurfaceArrays& surface, const FlippableEdge& edge)
 {
-    const Corner atB = MakeCorner(edge.First(), (IndexOf(edge.atA) + 1) % 3);
-    const Corner atA = MakeCorner(edge.Second(), (IndexOf(edge.atB) + 1) % 3);
+    const Corner atB = MakeCorner(edge.First(), kNextIndex[IndexOf(edge.atA)]);
+    const Corner atA = MakeCorner(edge.Second(), kNextIndex[IndexOf(edge.atB)]);
     RemoveCorner(surface, edge.b, atB);
     RemoveCorner(surface, edge.a, atA);
     surface.triangles[edge.First()].v[IndexOf(atB)] = edge.d;

@@ -6,21 +6,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/face_tree_nodes.h"
-#include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/base/simd.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/base/morton.h"
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/geometry/box.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/mesh/face_tree_nodes.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
 
-/// The faces of a mesh in a tree of boxes, for questions about the closest of them and where it looks.
+/// The faces of a mesh in a tree of boxes, for questions about the closest of them and which way it faces.
 ///
 /// Faces are put in an order in which neighbours in space follow each other; eight of them are a leaf, four
 /// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points
@@ -28,21 +32,19 @@ namespace vcg_ext
 /// their corners are gathered when one is. Queries may run on several threads.
 class FaceTree
 {
-    using FourTriangles = face_tree::FourTriangles;
-    using FourNodes = face_tree::FourNodes;
-    using Box = face_tree::Box;
-
     static constexpr std::size_t kGrain = 4096;
-    static constexpr float kFar = face_tree::kFar;
+    static constexpr float kFar = std::numeric_limits<float>::max();
     /// Squared distances that differ by less than this factor are equal: to an edge that two faces share, and
-    /// then either of them may be meant; or to faces that coincide, and then none is against.
+    /// then either of them may be meant; or to faces that coincide, and then none faces away.
     static constexpr float kTie = 1.00002F;
-    /// A face looks against a direction where their cosine is below this: above, it may be rounding.
-    static constexpr float kAgainst = -1e-6F;
+    /// A face faces away from a direction where their cosine is below this: above, it may be rounding.
+    static constexpr float kAway = -1e-6F;
 
     static constexpr std::size_t kFacesPerLeaf = 8;
+    using FourIndices = std::array<std::uint32_t, kLanes>; ///< of faces
 
     const std::uint32_t* triangles_;
+    Frame frame_;
     Buffer<SurfacePoint> points_;
     Buffer<std::uint32_t> faces_; ///< of leaf 0, leaf 1, ...
     std::vector<Buffer<FourNodes>>
@@ -54,67 +56,74 @@ class FaceTree
 
     /// \param frame in which all queries are \param order the faces in a good order, if one is known
     /// \pre at least one face; finite coordinates; the view's triangles outlive this object and do not change
-    FaceTree(const MeshView& view, const SurfaceFrame& frame, int threads,
+    FaceTree(const MeshView& view, const Frame& frame, int threads,
              const std::vector<std::uint32_t>& order = {})
-        : triangles_(view.triangles), points_(view.vertexCount),
+        : triangles_(view.triangles), frame_(frame), points_(view.vertexCount),
           faces_(order.empty() ? view.faceCount : order.size())
     {
         ParallelRanges(threads, view.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t v = begin; v < end; ++v) points_[v] = frame.ToFrame(view.Position(v), 0);
+            for (std::size_t v = begin; v < end; ++v) {
+                const Vector3<float> p = frame.Into(view.Position(v));
+                points_[v] = {p.x, p.y, p.z, 0};
+            }
         });
         if (order.empty())
             SortFaces(threads);
         else
             std::copy(order.begin(), order.end(), faces_.begin());
-        levels_.push_back(face_tree::LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
-            face_tree::LeafBoxes boxes;
-            ForEachFour(leaf, [&](const FourTriangles& faces) { boxes.Add(faces); });
+        levels_.push_back(LevelAbove(LeafCount(), threads, [&](std::size_t leaf) {
+            LeafBoxes boxes;
+            ForEachFour(leaf, [&](const FourTriangles& faces, const auto&) { boxes.Add(faces); });
             return boxes.Boxes();
         }));
         while (levels_.back().size() > 1) {
             const Buffer<FourNodes>& below = levels_.back();
-            auto above = face_tree::LevelAbove(
-                below.size(), threads, [&](std::size_t node) { return face_tree::BoxesOf(below[node]); });
+            auto above =
+                LevelAbove(below.size(), threads, [&](std::size_t node) { return BoxesOf(below[node]); });
             levels_.push_back(std::move(above));
         }
     }
 
-    /// Does the face closest to \p point, or one that shares the closest edge, look against \p direction, a
+    /// In which points and directions of the queries are.
+    const Frame& frame() const { return frame_; }
+
+    /// Does the face closest to \p point, or one that shares the closest edge, face away from \p direction, a
     /// unit vector? \param along2 squared distance to some face that does not, if one is known: that saves
     /// most of the time
-    bool LooksAgainst(const Vector3& point, const Vector3& direction, float along2 = kFar) const
+    bool FacesAwayFrom(const Vector3<float>& point, const Vector3<float>& direction,
+                       float along2 = kFar) const
     {
-        // Most often all faces around look along it. That is seen without finding the closest one: none that
-        // looks against it may be closer than some face that does not.
+        // Most often all faces around face along it. That is seen without finding the closest one: none that
+        // faces away from it may be closer than some face that does not.
         Sides sides{along2, kFar};
         if (along2 < kFar) {
-            const auto someLookAgainst = [&](const FourNodes& nodes) {
-                return nodes.normals.LeastDots(direction) < Splat(kAgainst);
+            const auto someFaceAway = [&](const FourNodes& nodes) {
+                return nodes.normals.LeastDots(direction) < Splat(kAway);
             };
             const auto near2 = [&] { return std::min(kFar, sides.along2 * kTie); };
-            Search(point, someLookAgainst, near2(), [&](const FourTriangles& faces) {
+            Search(point, someFaceAway, near2(), [&](const FourTriangles& faces, const FourIndices&) {
                 Closer(faces, point, direction, sides);
                 return near2();
             });
-            if (!IsAgainst(sides)) return false;
+            if (!IsAway(sides)) return false;
         }
-        const auto nearest2 = [&] { return std::min(kFar, std::min(sides.along2, sides.against2) * kTie); };
-        Search(point, AllNodes, nearest2(), [&](const FourTriangles& faces) {
+        const auto nearest2 = [&] { return std::min(kFar, std::min(sides.along2, sides.away2) * kTie); };
+        Search(point, AllNodes, nearest2(), [&](const FourTriangles& faces, const FourIndices&) {
             Closer(faces, point, direction, sides);
             return nearest2();
         });
-        return IsAgainst(sides);
+        return IsAway(sides);
     }
 
-    /// Squared distance to the nearest face that does not look against \p direction; the largest float where
-    /// all do.
-    float DistanceAlong2(const Vector3& point, const Vector3& direction) const
+    /// Squared distance to the nearest face that does not face away from \p direction; the largest float
+    /// where all do.
+    float DistanceAlong2(const Vector3<float>& point, const Vector3<float>& direction) const
     {
         Sides sides;
-        const auto someLookAlong = [&](const FourNodes& nodes) {
-            return nodes.normals.GreatestDots(direction) >= Splat(kAgainst);
+        const auto someFaceAlong = [&](const FourNodes& nodes) {
+            return nodes.normals.GreatestDots(direction) >= Splat(kAway);
         };
-        Search(point, someLookAlong, kFar, [&](const FourTriangles& faces) {
+        Search(point, someFaceAlong, kFar, [&](const FourTriangles& faces, const FourIndices&) {
             Closer(faces, point, direction, sides);
             return sides.along2;
         });
@@ -122,28 +131,59 @@ class FaceTree
     }
 
     /// The point of the surface that is closest to \p point.
-    Vector3 Closest(const Vector3& point) const
+    Vector3<float> Closest(const Vector3<float>& point) const
     {
         float best2 = kFar;
-        Vector3 closest;
-        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+        Vector3<float> closest{};
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces, const FourIndices&) {
             const FourClosestPoints hits = ClosestOnTriangle(faces.Seen(point), faces.Prepared());
             for (int lane = 0; lane < kLanes; ++lane) {
                 if (!(hits.distance2[lane] < best2)) continue;
                 best2 = hits.distance2[lane];
-                const FourPoints& away = hits.difference;
-                closest = point - Vector3{away.x[lane], away.y[lane], away.z[lane]};
+                closest = point - Lane(hits.difference, lane);
             }
             return best2;
         });
         return closest;
     }
 
+    /// A face that may be the closest one.
+    struct Candidate {
+        float distance2;
+        std::uint32_t face;
+    };
+
+    /// The faces that are at most \p slack farther from \p point than the closest one, among them that one;
+    /// of many that are equally far the first kMaxCandidates.
+    /// \param limit2 squared distance to some face of the surface, slack included, if one is known: that
+    /// saves most of the time \param found is overwritten
+    void FindClosest(const Vector3<float>& point, float slack, float limit2,
+                     std::vector<Candidate>& found) const
+    {
+        found.clear();
+        float nearest2 = kFar;
+        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
+            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
+            const float here2 = MinLane(distance2);
+            if (here2 < nearest2) {
+                nearest2 = here2;
+                const float reach = std::sqrt(here2) + slack;
+                limit2 = std::min(limit2, reach * reach);
+            }
+            for (std::size_t lane = 0; lane < kLanes && found.size() < kMaxCandidates; ++lane)
+                if (distance2[lane] <= limit2) found.push_back({distance2[lane], indices[lane]});
+            if (found.size() < kMaxCandidates) return limit2;
+            DropFar(found, limit2);
+            return found.size() < kMaxCandidates ? limit2 : -1; // too many are equally far
+        });
+        DropFar(found, limit2);
+    }
+
     /// Squared distance to the surface.
-    float Distance2(const Vector3& point) const
+    float Distance2(const Vector3<float>& point) const
     {
         float best2 = kFar;
-        Search(point, AllNodes, kFar, [&](const FourTriangles& faces) {
+        Search(point, AllNodes, kFar, [&](const FourTriangles& faces, const FourIndices&) {
             best2 =
                 std::min(best2, MinLane(ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2));
             return best2;
@@ -151,16 +191,23 @@ class FaceTree
         return best2;
     }
 
-    /// Calls visit(face, a, ab, ac) for the faces near the box from \p low to \p high, all that touch it
-    /// among them; a is the first corner, ab and ac lead to the others. In an order that depends on the mesh
-    /// only.
+    /// Calls visit(face, a, ab, ac) for the faces near \p box, all that touch it among them; a is the first
+    /// corner, ab and ac lead to the others. In an order that depends on the mesh only.
     template <class Visit>
-    void ForEachNear(const Vector3& low, const Vector3& high, const Visit& visit) const
+    void ForEachNear(const Box3<float>& box, const Visit& visit) const
     {
-        ForEachNear(levels_.size(), 0, {{low.x, low.y, low.z}, {high.x, high.y, high.z}}, visit);
+        ForEachNear(levels_.size(), 0, box, visit);
     }
 
   private:
+    static constexpr std::size_t kMaxCandidates = 64;
+
+    static void DropFar(std::vector<Candidate>& found, float limit2)
+    {
+        const auto isFar = [&](const Candidate& c) { return !(c.distance2 <= limit2); };
+        found.erase(std::remove_if(found.begin(), found.end(), isFar), found.end());
+    }
+
     std::size_t LeafCount() const { return (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; }
 
     /// In Morton order of their first corners.
@@ -168,9 +215,9 @@ class FaceTree
     {
         constexpr double kHalf = kFrameDiagonal / 2;
         constexpr int kBitsPerAxis = 7; // two passes of sorting; what shares a cell stays in the mesh's order
-        using Grid = sweeps::MortonGrid<kBitsPerAxis>;
+        using Grid = MortonGrid<kBitsPerAxis>;
         const Grid grid({-kHalf, -kHalf, -kHalf}, {kHalf, kHalf, kHalf});
-        Buffer<sweeps::OrderedVertex> order(faces_.size());
+        Buffer<OrderedVertex> order(faces_.size());
         ParallelRanges(threads, faces_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t f = begin; f < end; ++f) {
                 const SurfacePoint& p = points_[triangles_[3 * f]];
@@ -179,7 +226,7 @@ class FaceTree
                     static_cast<std::uint32_t>(f)};
             }
         });
-        sweeps::SortByCode<Grid::kCodeBits>(order, threads);
+        SortByCode<Grid::kCodeBits>(order, threads);
         for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i] = order[i].origin;
     }
 
@@ -194,8 +241,9 @@ class FaceTree
         const std::size_t end = std::min(faces_.size(), (leaf + 1) * kFacesPerLeaf);
         for (std::size_t first = leaf * kFacesPerLeaf; first < end; first += kLanes) {
             Float4 a[kLanes], b[kLanes], c[kLanes];
+            FourIndices indices;
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const std::size_t face = faces_[std::min(first + lane, end - 1)];
+                const std::uint32_t face = indices[lane] = faces_[std::min(first + lane, end - 1)];
                 a[lane] = Corner(face, 0);
                 b[lane] = Corner(face, 1) - a[lane];
                 c[lane] = Corner(face, 2) - a[lane];
@@ -203,30 +251,30 @@ class FaceTree
             Transpose(a[0], a[1], a[2], a[3]);
             Transpose(b[0], b[1], b[2], b[3]);
             Transpose(c[0], c[1], c[2], c[3]);
-            visit(FourTriangles{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}});
+            visit(FourTriangles{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}}, indices);
         }
     }
 
-    /// Squared distances to the nearest faces found that look along a direction and against it.
+    /// Squared distances to the nearest faces found that do not face away from a direction, and that do.
     struct Sides {
-        float along2 = kFar, against2 = kFar;
+        float along2 = kFar, away2 = kFar;
     };
-    static bool IsAgainst(const Sides& sides)
+    static bool IsAway(const Sides& sides)
     {
-        return sides.along2 > kOnSurface2 && sides.against2 <= sides.along2 * kTie;
+        return sides.along2 > kOnSurface2 && sides.away2 <= sides.along2 * kTie;
     }
-    static void Closer(const FourTriangles& faces, const Vector3& point, const Vector3& direction,
-                       Sides& sides)
+    static void Closer(const FourTriangles& faces, const Vector3<float>& point,
+                       const Vector3<float>& direction, Sides& sides)
     {
         const PreparedTriangle<Float4> t = faces.Prepared();
         const FourClosestPoints closest = ClosestOnTriangle(faces.Seen(point), t);
         const Float4 distance2 = closest.distance2;
-        const Float4 cosine = direction.x * t.nx + direction.y * t.ny + direction.z * t.nz;
-        const Int4 against = cosine < Splat(kAgainst);
-        sides.along2 = std::min(sides.along2, MinLane(Select(against, Splat(kFar), distance2)));
+        const Float4 cosine = Dot(Splat(direction), {t.nx, t.ny, t.nz});
+        const Int4 away = cosine < Splat(kAway);
+        sides.along2 = std::min(sides.along2, MinLane(Select(away, Splat(kFar), distance2)));
         // inside a face there is no edge to share: it has to be closer
         const Float4 shared = Select(closest.inside, distance2 * (kTie * kTie), distance2);
-        sides.against2 = std::min(sides.against2, MinLane(Select(against, shared, Splat(kFar))));
+        sides.away2 = std::min(sides.away2, MinLane(Select(away, shared, Splat(kFar))));
     }
 
     static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
@@ -234,7 +282,7 @@ class FaceTree
     /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p
     /// limit2, which the last call returned, as long as wanted(nodes) has its ancestors.
     template <class Wanted, class Visit>
-    void Search(const Vector3& point, const Wanted& wanted, float limit2, const Visit& visit) const
+    void Search(const Vector3<float>& point, const Wanted& wanted, float limit2, const Visit& visit) const
     {
         struct Entry {
             float distance2;
@@ -248,7 +296,9 @@ class FaceTree
             const Entry entry = stack[--size];
             if (!(entry.distance2 <= limit2)) continue;
             if (entry.level == 0) {
-                ForEachFour(entry.node, [&](const FourTriangles& faces) { limit2 = visit(faces); });
+                ForEachFour(entry.node, [&](const FourTriangles& faces, const FourIndices& indices) {
+                    limit2 = visit(faces, indices);
+                });
                 continue;
             }
             const FourNodes& nodes = levels_[entry.level - 1][entry.node];
@@ -268,19 +318,19 @@ class FaceTree
 
     /// \param level as Search's
     template <class Visit>
-    void ForEachNear(std::size_t level, std::size_t node, const Box& box, const Visit& visit) const
+    void ForEachNear(std::size_t level, std::size_t node, const Box3<float>& box, const Visit& visit) const
     {
         if (level > 0) {
-            for (std::size_t lane = 0; lane < kLanes; ++lane)
-                if (Overlap(box, levels_[level - 1][node].points.At(lane)))
-                    ForEachNear(level - 1, kLanes * node + lane, box, visit);
+            for (int lane = 0; lane < kLanes; ++lane)
+                if (box.Meets(levels_[level - 1][node].points.At(lane)))
+                    ForEachNear(level - 1, kLanes * node + static_cast<std::size_t>(lane), box, visit);
             return;
         }
         const std::size_t end = std::min(faces_.size(), (node + 1) * kFacesPerLeaf);
         for (std::size_t place = node * kFacesPerLeaf; place < end; ++place) {
             const std::uint32_t face = faces_[place];
             const Float4 a = Corner(face, 0), b = Corner(face, 1) - a, c = Corner(face, 2) - a;
-            const auto vector = [](Float4 p) { return Vector3{p[0], p[1], p[2]}; };
+            const auto vector = [](Float4 p) { return Vector3<float>{p[0], p[1], p[2]}; };
             visit(face, vector(a), vector(b), vector(c));
         }
     }

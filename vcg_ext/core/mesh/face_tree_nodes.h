@@ -2,96 +2,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/geometry/box.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/base/simd.h"
 
 // The nodes of a FaceTree: four children side by side, so that they are tested at once.
 
-namespace vcg_ext::face_tree
+namespace vcg_ext
 {
 
-constexpr float kFar = std::numeric_limits<float>::max();
-
-/// Of points, or of unit normals.
-struct Box {
-    std::array<float, 3> low, high;
-};
-inline bool Overlap(const Box& a, const Box& b)
-{
-    for (std::size_t k = 0; k < 3; ++k)
-        if (!(a.low[k] <= b.high[k] && b.low[k] <= a.high[k])) return false;
-    return true;
-}
-
-/// Four vectors, one in each column.
-struct alignas(16) FourVectors {
-    float row[3][kLanes];
-
-    void Put(std::size_t lane, const Vector3& p)
-    {
-        row[0][lane] = p.x;
-        row[1][lane] = p.y;
-        row[2][lane] = p.z;
-    }
-    Vector3 At(std::size_t lane) const { return {row[0][lane], row[1][lane], row[2][lane]}; }
-    Float4 operator[](std::size_t k) const { return Load(row[k]); }
-};
-
-/// Some faces of a leaf.
-struct FourTriangles {
-    FourPoints a, b, c; ///< the first corner, and the others seen from it
-
-    FourPoints Seen(const Vector3& p) const { return {p.x - a.x, p.y - a.y, p.z - a.z}; }
-    PreparedTriangle<Float4> Prepared() const { return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z); }
-};
-
+/// Boxes of points, or of unit normals.
 struct FourBoxes {
-    FourVectors low, high;
+    Box3<Float4> boxes;
 
-    void Put(std::size_t lane, const Box& box)
+    void Put(int lane, const Box3<float>& box)
     {
-        low.Put(lane, {box.low[0], box.low[1], box.low[2]});
-        high.Put(lane, {box.high[0], box.high[1], box.high[2]});
+        SetLane(boxes.low, lane, box.low);
+        SetLane(boxes.high, lane, box.high);
     }
-    Box At(std::size_t lane) const
-    {
-        const Vector3 l = low.At(lane), h = high.At(lane);
-        return {{l.x, l.y, l.z}, {h.x, h.y, h.z}};
-    }
-    Box Around() const
-    {
-        return {{MinLane(low[0]), MinLane(low[1]), MinLane(low[2])},
-                {MaxLane(high[0]), MaxLane(high[1]), MaxLane(high[2])}};
-    }
+    Box3<float> At(int lane) const { return {Lane(boxes.low, lane), Lane(boxes.high, lane)}; }
     /// Squared distances from \p p.
-    Float4 Distances2(const Vector3& p) const
+    Float4 Distances2(const Vector3<float>& p) const
     {
-        const float at[3] = {p.x, p.y, p.z};
-        Float4 sum{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Float4 outside = Max(Max(low[k] - at[k], at[k] - high[k]), Splat(0.0F));
-            sum += outside * outside;
-        }
-        return sum;
+        const Vector3<Float4> point = Splat(p), below = boxes.low - point, above = point - boxes.high;
+        const auto outside = [](Float4 a, Float4 b) { return Max(Max(a, b), Splat(0.0F)); };
+        return SquaredNorm(
+            Vector3<Float4>{outside(below.x, above.x), outside(below.y, above.y), outside(below.z, above.z)});
     }
     /// Of all vectors in each box, the least dot product with \p direction.
-    Float4 LeastDots(const Vector3& direction) const
+    Float4 LeastDots(const Vector3<float>& direction) const
     {
-        const float n[3] = {direction.x, direction.y, direction.z};
-        Float4 least{};
-        for (std::size_t k = 0; k < 3; ++k) least += Min(n[k] * low[k], n[k] * high[k]);
-        return least;
+        const Vector3<float>& n = direction;
+        return Min(n.x * boxes.low.x, n.x * boxes.high.x) + Min(n.y * boxes.low.y, n.y * boxes.high.y) +
+               Min(n.z * boxes.low.z, n.z * boxes.high.z);
     }
     /// The greatest.
-    Float4 GreatestDots(const Vector3& direction) const { return -LeastDots(-1.0F * direction); }
+    Float4 GreatestDots(const Vector3<float>& direction) const { return -LeastDots(-1.0F * direction); }
 };
 
 struct FourNodes {
@@ -100,47 +51,28 @@ struct FourNodes {
 
 /// The boxes of the points and of the unit normals of all that is in a node.
 struct NodeBoxes {
-    Box points{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, normals = points;
+    Box3<float> points = EmptyBox<float>(), normals = EmptyBox<float>();
 };
 inline NodeBoxes BoxesOf(const FourNodes& nodes)
 {
-    return {nodes.points.Around(), nodes.normals.Around()};
+    return {Around(nodes.points.boxes), Around(nodes.normals.boxes)};
 }
 
 /// NodeBoxes of faces that come four at a time.
 class LeafBoxes
 {
-    struct Bounds {
-        Float4 low[3]{Splat(kFar), Splat(kFar), Splat(kFar)};
-        Float4 high[3]{Splat(-kFar), Splat(-kFar), Splat(-kFar)};
-        void Add(std::size_t k, Float4 least, Float4 greatest)
-        {
-            low[k] = Min(low[k], least);
-            high[k] = Max(high[k], greatest);
-        }
-        Box AllLanes() const
-        {
-            return {{MinLane(low[0]), MinLane(low[1]), MinLane(low[2])},
-                    {MaxLane(high[0]), MaxLane(high[1]), MaxLane(high[2])}};
-        }
-    };
-    Bounds points_, normals_;
+    Box3<Float4> points_ = EmptyBox<Float4>(), normals_ = EmptyBox<Float4>();
 
   public:
     void Add(const FourTriangles& faces)
     {
         const PreparedTriangle<Float4> t = faces.Prepared();
-        const Float4 normal[3] = {t.nx, t.ny, t.nz};
-        const Float4 first[3] = {faces.a.x, faces.a.y, faces.a.z};
-        const Float4 second[3] = {faces.b.x, faces.b.y, faces.b.z};
-        const Float4 third[3] = {faces.c.x, faces.c.y, faces.c.z};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Float4 a = first[k], b = a + second[k], c = a + third[k];
-            points_.Add(k, Min(a, Min(b, c)), Max(a, Max(b, c)));
-            normals_.Add(k, normal[k], normal[k]);
-        }
+        points_.Add(faces.a);
+        points_.Add(faces.a + faces.b);
+        points_.Add(faces.a + faces.c);
+        normals_.Add({t.nx, t.ny, t.nz});
     }
-    NodeBoxes Boxes() const { return {points_.AllLanes(), normals_.AllLanes()}; }
+    NodeBoxes Boxes() const { return {Around(points_), Around(normals_)}; }
 };
 
 /// The level above \p children of them: four that follow each other are the children of one node.
@@ -152,8 +84,8 @@ Buffer<FourNodes> LevelAbove(std::size_t children, int threads, const BoxesOfChi
     Buffer<FourNodes> level((children + kLanes - 1) / kLanes);
     ParallelRanges(threads, level.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const std::size_t child = kLanes * i + lane;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const std::size_t child = kLanes * i + static_cast<std::size_t>(lane);
                 const NodeBoxes boxes = child < children ? boxesOf(child) : NodeBoxes{};
                 level[i].points.Put(lane, boxes.points);
                 level[i].normals.Put(lane, boxes.normals);
@@ -162,4 +94,4 @@ Buffer<FourNodes> LevelAbove(std::size_t children, int threads, const BoxesOfChi
     return level;
 }
 
-} // namespace vcg_ext::face_tree
+} // namespace vcg_ext

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext
 {
@@ -23,28 +23,6 @@ struct RingCorner {
     std::uint32_t previous : 31;
     std::uint32_t previousIsFaux : 1;
 };
-
-/// A part of an array that somebody else owns.
-template <class T>
-struct ArrayView {
-    const T* first;
-    std::size_t count;
-
-    const T* begin() const { return first; }
-    const T* end() const { return first + count; }
-    std::size_t size() const { return count; }
-    const T& operator[](std::size_t i) const { return first[i]; }
-};
-
-/// Threads that pay for a few passes over so many faces: on a busy machine a second one starts and ends no
-/// sooner than tens of milliseconds.
-/// \param requested 0: all
-inline int ThreadsThatPay(int requested, std::size_t faces)
-{
-    constexpr std::size_t kFacesPerThread = 250000;
-    return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(ResolveThreads(requested)),
-                                                  1 + faces / kFacesPerThread));
-}
 
 /// The corners and the neighbours around the vertices of a triangle mesh, whatever its topology: open,
 /// non-manifold, polygonal, with inconsistent orientation. Faces that name a vertex twice are left out.

@@ -9,17 +9,16 @@
 #include <limits>
 #include <optional>
 
+#include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/refine/backward.h"
-#include "vcg_ext/core/refine/move.h"
+#include "vcg_ext/core/mesh/edge_flip.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/energy.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/samples.h"
-#include "vcg_ext/core/refine/star.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
-#include "vcg_ext/core/mesh/edge_flip.h"
+#include "vcg_ext/core/refine/surface_walk.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
 
 /// Exchanges the diagonal of two faces where that is allowed and saves energy.
@@ -28,21 +27,21 @@ class EdgeFlipper
 {
     /// Seen from a.
     struct Shape {
-        Vector3 a, b, c, d; ///< a is absolute, the others are differences from it
+        Vector3<float> a, b, c, d; ///< a is absolute, the others are differences from it
         std::array<PreparedTriangle<float>, 2> before, after; ///< the second one after the flip seen from d
     };
 
-    State& state_;
-    BackwardSearch search_;
+    RefinementState& state_;
+    PlaceSearch search_;
     FlippableEdge edge_{};
     Shape shape_;
     SampleGroups groups_;
     BackwardPoints points_;
-    std::array<Place, 3> hints_{}; ///< of the last Backward's points
+    std::array<SurfacePlace, 3> hints_{}; ///< of the last Backward's points
     Scratch<std::uint32_t> neighbours_;
 
   public:
-    explicit EdgeFlipper(State& state) : state_(state), search_(state.original) {}
+    explicit EdgeFlipper(RefinementState& state) : state_(state), search_(state.original) {}
 
     /// Tries the edges from \p v to neighbours of higher index; returns how many were flipped.
     std::size_t FlipAround(std::uint32_t v)
@@ -62,11 +61,10 @@ class EdgeFlipper
         const auto edge = FindFlippableEdge(state_.simplified, v, w);
         if (!edge) return false;
         edge_ = *edge;
-        const RefinementParameters& p = state_.parameters;
         SampleSummary summary;
-        Add(state_.samples.faces[edge_.First()], summary);
-        Add(state_.samples.faces[edge_.Second()], summary);
-        const float needed = p.flipGainOfMean * state_.meanSquare * summary.weight;
+        summary.Add(state_.samples.faces[edge_.First()]);
+        summary.Add(state_.samples.faces[edge_.Second()]);
+        const float needed = kMinFlipGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count == 0 || summary.energy < needed) return false;
         if (!ShapeAllows() || AreNeighbours(state_.simplified, edge_.c, edge_.d)) return false;
         if (!SavesEnergy(static_cast<double>(needed))) return false;
@@ -74,10 +72,9 @@ class EdgeFlipper
         return true;
     }
 
-    /// Fills shape_. Would the new faces be sound, and look where the old ones looked?
+    /// Fills shape_. Would the new faces be sound, and face where the old ones faced?
     bool ShapeAllows()
     {
-        const RefinementParameters& p = state_.parameters;
         Shape& s = shape_;
         s.a = PositionOf(state_.simplified, edge_.a);
         s.b = PositionOf(state_.simplified, edge_.b) - s.a;
@@ -85,23 +82,22 @@ class EdgeFlipper
         s.d = PositionOf(state_.simplified, edge_.d) - s.a;
         s.before = {PrepareTriangle(s.b, s.c), PrepareTriangle(s.d, s.b)};
         s.after = {PrepareTriangle(s.d, s.c), PrepareTriangle(s.b - s.d, s.c - s.d)};
-        const Vector3 old0 = NormalOf(s.before[0]), old1 = NormalOf(s.before[1]);
-        const Vector3 new0 = NormalOf(s.after[0]), new1 = NormalOf(s.after[1]);
+        const Vector3<float> old0 = NormalOf(s.before[0]), old1 = NormalOf(s.before[1]);
+        const Vector3<float> new0 = NormalOf(s.after[0]), new1 = NormalOf(s.after[1]);
         if (!(s.after[0].doubleArea > 0 && s.after[1].doubleArea > 0)) return false;
-        const Vector3 mean = s.before[0].doubleArea * old0 + s.before[1].doubleArea * old1;
-        const float least = p.smallestCosine * Norm(mean);
+        const Vector3<float> mean = s.before[0].doubleArea * old0 + s.before[1].doubleArea * old1;
+        const float least = kMinTurnCosine * Norm(mean);
         if (!(Dot(new0, mean) > least && Dot(new1, mean) > least)) return false;
         const float fold = Dot(new0, new1);
-        if (fold < p.sharpestFold && fold < Dot(old0, old1)) return false;
+        if (fold < kMinFoldCosine && fold < Dot(old0, old1)) return false;
         const float oldQuality = std::min(s.before[0].quality, s.before[1].quality);
-        return std::min(s.after[0].quality, s.after[1].quality) >= std::min(p.flipQuality, oldQuality);
+        return std::min(s.after[0].quality, s.after[1].quality) >= std::min(kMinFlipQuality, oldQuality);
     }
 
     /// Leaves the samples' new distances and owners.
     bool SavesEnergy(double needed)
     {
-        const RefinementParameters& p = state_.parameters;
-        const float tolerable2 = p.tolerableDistance * p.tolerableDistance * state_.meanSquare;
+        const float tolerable2 = kTolerableDistance * kTolerableDistance * state_.meanSquare;
         groups_.Clear();
         CollectSamples(state_.samples, edge_.First(), 0, shape_.a, groups_);
         CollectSamples(state_.samples, edge_.Second(), 1, shape_.a, groups_);
@@ -109,24 +105,25 @@ class EdgeFlipper
         double before = 0, after = 0;
         MeasureForward(before, after, old2, new2);
         if (after > before || new2 > std::max(old2, tolerable2)) return false;
-        const BackwardEnergy oldBackward = Backward(Vector3{}, shape_.b, shape_.c, shape_.d, shape_.before,
-                                                    p.backwardOutlier * std::max(old2, state_.meanSquare),
-                                                    std::numeric_limits<double>::max());
+        const BackwardEnergy oldBackward = Backward(
+            Vector3<float>{}, shape_.b, shape_.c, shape_.d, shape_.before,
+            kBackwardOutlier * std::max(old2, state_.meanSquare), std::numeric_limits<double>::max());
         before += oldBackward.energy;
-        const double allowed = std::min(before * static_cast<double>(1 - p.flipGain), before - needed);
+        const double allowed = std::min(before * static_cast<double>(1 - kMinFlipGain), before - needed);
         if (after >= allowed) return false;
-        const BackwardEnergy newBackward = Backward(shape_.c, shape_.d, Vector3{}, shape_.b, shape_.after,
-                                                    std::numeric_limits<float>::max(), allowed - after);
+        const BackwardEnergy newBackward =
+            Backward(shape_.c, shape_.d, Vector3<float>{}, shape_.b, shape_.after,
+                     std::numeric_limits<float>::max(), allowed - after);
         return after + newBackward.energy < allowed &&
                newBackward.largest2 <= std::max(oldBackward.largest2, tolerable2) &&
-               !LooksAway(state_.original, hints_[1], NormalOf(shape_.after[0])) &&
-               !LooksAway(state_.original, hints_[2], NormalOf(shape_.after[1]));
+               !FacesAwayFrom(state_.original, hints_[1], NormalOf(shape_.after[0])) &&
+               !FacesAwayFrom(state_.original, hints_[2], NormalOf(shape_.after[1]));
     }
     void MeasureForward(double& before, double& after, float& old2, float& new2)
     {
         for (SampleGroup& group : groups_) {
             const Float4 first = ClosestOnTriangle(group.point, shape_.after[0]).distance2;
-            const FourPoints fromD = Moved(group.point, -1.0F * shape_.d);
+            const Vector3<Float4> fromD = group.point - Splat(shape_.d);
             const Float4 second = ClosestOnTriangle(fromD, shape_.after[1]).distance2;
             group.newOwner = (second < first) & Splat(1);
             group.newDistance2 = Min(first, second);
@@ -137,22 +134,22 @@ class EdgeFlipper
         }
     }
     /// Of the faces (u, v, x) and (v, u, y), at the midpoint of u v and at both centroids.
-    BackwardEnergy Backward(const Vector3& u, const Vector3& v, const Vector3& x, const Vector3& y,
-                            const std::array<PreparedTriangle<float>, 2>& faces, float limit2, double stop)
+    BackwardEnergy Backward(const Vector3<float>& u, const Vector3<float>& v, const Vector3<float>& x,
+                            const Vector3<float>& y, const std::array<PreparedTriangle<float>, 2>& faces,
+                            float limit2, double stop)
     {
-        const RefinementParameters& p = state_.parameters;
-        const float area0 = p.backwardWeight * faces[0].doubleArea / 2;
-        const float area1 = p.backwardWeight * faces[1].doubleArea / 2;
+        const float area0 = kBackwardWeight * faces[0].doubleArea / 2;
+        const float area1 = kBackwardWeight * faces[1].doubleArea / 2;
         std::size_t point = 0;
         points_.Clear();
-        const auto add = [&](const Vector3& position, float weight) {
+        const auto add = [&](const Vector3<float>& position, float weight) {
             hints_[point] = NearestOrigin(state_.samples, groups_, {0, groups_.size()}, position);
             points_.Add(shape_.a + position, weight, 0, &hints_[point++]);
         };
-        add(0.5F * (u + v), p.backwardFlippedEdge * (area0 + area1));
-        add((1.0F / 3) * (u + v + x), p.backwardFlippedFaces * area0);
-        add((1.0F / 3) * (u + v + y), p.backwardFlippedFaces * area1);
-        return MeasureBackward(search_, points_, Vector3{}, limit2, stop, nullptr);
+        add(0.5F * (u + v), kFlippedEdgeShare * (area0 + area1));
+        add((1.0F / 3) * (u + v + x), kFlippedCentroidShare * area0);
+        add((1.0F / 3) * (u + v + y), kFlippedCentroidShare * area1);
+        return MeasureBackward(search_, points_, Vector3<float>{}, limit2, stop, nullptr);
     }
 
     void Accept()
@@ -167,4 +164,4 @@ class EdgeFlipper
     }
 };
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

@@ -10,33 +10,17 @@
 #include <optional>
 #include <utility>
 
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/refine/backward.h"
-#include "vcg_ext/core/refine/equations.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/energy.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/star.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/refine/surface_walk.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
-
-/// What all passes share. Hints are places of the original, kNone where nothing is known yet.
-struct State {
-    const SurfaceArrays& original;
-    SurfaceArrays& simplified;
-    const RefinementParameters& parameters;
-    SampleLists samples;
-    Buffer<Place> vertexHints, edgeHints,
-        centroidHints;    ///< edges: 3 face + index, from vertex index to the next
-    float meanSquare = 0; ///< rms^2 before the first change
-};
-
-inline std::uint32_t EdgeHint(Corner corner)
-{
-    return 3 * FaceOf(corner) + static_cast<std::uint32_t>(IndexOf(corner));
-}
 
 /// Moves one vertex to where the energy of its star is least, if that is allowed and worth it.
 /// One object per thread; it holds nothing but scratch between two calls.
@@ -53,8 +37,8 @@ class VertexMover
         float forward2 = 0, backward2 = 0; ///< largest squared distances
     };
 
-    State& state_;
-    BackwardSearch search_;
+    RefinementState& state_;
+    PlaceSearch search_;
     Star star_;
     Scratch<Trial> trials_;
     SampleGroups groups_;
@@ -62,28 +46,26 @@ class VertexMover
     Scratch<std::pair<std::uint32_t, std::uint32_t>> byNext_; // (next vertex, face of the star)
 
   public:
-    explicit VertexMover(State& state) : state_(state), search_(state.original) {}
+    explicit VertexMover(RefinementState& state) : state_(state), search_(state.original) {}
 
     /// True if \p v moved.
     bool Move(std::uint32_t v)
     {
-        const RefinementParameters& p = state_.parameters;
-        const SampleSummary summary = SummariseStar(v);
-        const float negligible = p.moveGainOfMean * state_.meanSquare * summary.weight;
-        if (summary.count < kFewestSamples || !(summary.weight > 0) || summary.energy < negligible)
-            return false;
+        const SampleSummary summary = SummarizeStar(v);
+        const float negligible = kMinMoveGainOfMean * state_.meanSquare * summary.weight;
+        if (summary.count < kMinSamples || !(summary.weight > 0) || summary.energy < negligible) return false;
         Gather(v);
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
         const NormalEquations equations = sums.Total();
-        const std::optional<Vector3> best = SolveStep(equations, p.regularisation);
+        const std::optional<Vector3<float>> best = SolveStep(equations);
         if (!best) return false;
-        Vector3 step = Clipped(*best);
+        Vector3<float> step = Clipped(*best);
         const double gain =
-            std::max(before.sum * static_cast<double>(p.moveGain), static_cast<double>(negligible));
+            std::max(before.sum * static_cast<double>(kMinMoveGain), static_cast<double>(negligible));
         if (static_cast<double>(Dot(equations.right, step)) < gain) return false;
-        for (int trial = 0; trial < p.trials; ++trial, step = 0.5F * step) {
-            if (!Try(step, before, before.sum - gain) || FoldsAFace()) continue;
+        for (int trial = 0; trial < kStepTrials; ++trial, step = 0.5F * step) {
+            if (!Try(step, before, before.sum - gain) || FoldsFace()) continue;
             Accept(v, step);
             return true;
         }
@@ -91,21 +73,22 @@ class VertexMover
     }
 
   private:
-    static constexpr std::size_t kFewestSamples = 3;
-    static constexpr std::size_t kQuadraticStar = 32; ///< larger stars are sorted to find who is beside whom
+    static constexpr std::size_t kMinSamples = 3;
+    static constexpr std::size_t kMaxQuadraticStar =
+        32; ///< larger stars are sorted to find who is beside whom
 
-    SampleSummary SummariseStar(std::uint32_t v) const
+    SampleSummary SummarizeStar(std::uint32_t v) const
     {
         SampleSummary summary;
         const SurfaceArrays& surface = state_.simplified;
         for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
-            Add(state_.samples.faces[FaceOf(*c)], summary);
+            summary.Add(state_.samples.faces[FaceOf(*c)]);
         return summary;
     }
     void Gather(std::uint32_t v)
     {
         GatherStar(state_.simplified, v, star_);
-        const Vector3 origin = PositionOf(state_.simplified, v);
+        const Vector3<float> origin = PositionOf(state_.simplified, v);
         trials_.Resize(star_.size());
         groups_.Clear();
         for (std::size_t i = 0; i < star_.size(); ++i) {
@@ -114,7 +97,7 @@ class VertexMover
             CollectSamples(state_.samples, star_[i].face, static_cast<std::uint32_t>(i), origin, groups_);
             trials_[i].samples.end = groups_.size();
         }
-        if (star_.size() <= kQuadraticStar)
+        if (star_.size() <= kMaxQuadraticStar)
             LinkSmallStar();
         else
             LinkLargeStar();
@@ -149,8 +132,8 @@ class VertexMover
         Energy energy;
         MeasureForward(energy, equations);
         CollectBackwardPoints(v);
-        const float limit2 = state_.parameters.backwardOutlier * std::max(energy.forward2, state_.meanSquare);
-        const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3{}, limit2,
+        const float limit2 = kBackwardOutlier * std::max(energy.forward2, state_.meanSquare);
+        const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3<float>{}, limit2,
                                                         std::numeric_limits<double>::max(), &equations);
         energy.sum += backward.energy;
         energy.backward2 = backward.largest2;
@@ -159,7 +142,7 @@ class VertexMover
     void MeasureForward(Energy& energy, EquationSums& equations);
     void CollectBackwardPoints(std::uint32_t v);
     /// Of the edge from the vertex to the next one of face i; the faces on both sides share one.
-    Place& NextEdgeHint(std::size_t i)
+    SurfacePlace& NextEdgeHint(std::size_t i)
     {
         std::uint32_t hint = EdgeHint(star_[i].corner);
         if (const std::uint32_t across = trials_[i].acrossNext; across != kNone) {
@@ -169,52 +152,50 @@ class VertexMover
         return state_.edgeHints[hint];
     }
 
-    Vector3 Clipped(const Vector3& step) const
+    Vector3<float> Clipped(const Vector3<float>& step) const
     {
         float shortest2 = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < star_.size(); ++i) shortest2 = std::min(shortest2, star_[i].triangle.bb);
-        const float largest = state_.parameters.largestStep * std::sqrt(shortest2), length = Norm(step);
+        const float largest = kMaxStep * std::sqrt(shortest2), length = Norm(step);
         return length > largest ? (largest / length) * step : step;
     }
     /// Would the step keep the faces, the limits, and the energy below \p allowed? Leaves the samples' new
     /// distances and owners.
-    bool Try(const Vector3& step, const Energy& before, double allowed)
+    bool Try(const Vector3<float>& step, const Energy& before, double allowed)
     {
         if (!KeepsFaces(step)) return false;
-        const float tolerable = state_.parameters.tolerableDistance;
-        const float tolerable2 = tolerable * tolerable * state_.meanSquare;
+        const float tolerable2 = kTolerableDistance * kTolerableDistance * state_.meanSquare;
         const BackwardEnergy backward =
             MeasureBackward(search_, points_, step, std::numeric_limits<float>::max(), allowed, nullptr);
         if (backward.energy >= allowed || backward.largest2 > std::max(before.backward2, tolerable2))
             return false;
         return ForwardStaysBelow(step, allowed - backward.energy, std::max(before.forward2, tolerable2));
     }
-    bool KeepsFaces(const Vector3& step)
+    bool KeepsFaces(const Vector3<float>& step)
     {
-        const RefinementParameters& p = state_.parameters;
         for (std::size_t i = 0; i < star_.size(); ++i) {
             const PreparedTriangle<float>& old = star_[i].triangle;
             trials_[i].triangle = PrepareTriangle(star_[i].toNext - step, star_[i].toPrevious - step);
             const PreparedTriangle<float>& moved = trials_[i].triangle;
-            if (!(moved.doubleArea > 0) || Dot(NormalOf(moved), NormalOf(old)) < p.smallestCosine ||
-                moved.quality < std::min(p.moveQuality, old.quality / 2))
+            if (!(moved.doubleArea > 0) || Dot(NormalOf(moved), NormalOf(old)) < kMinTurnCosine ||
+                moved.quality < std::min(kMinMoveQuality, old.quality / 2))
                 return false;
         }
         return true;
     }
-    bool ForwardStaysBelow(const Vector3& step, double allowed, float limit2);
-    /// Would a face of the trial look away from the original below its centroid, and did not before?
-    bool FoldsAFace() const
+    bool ForwardStaysBelow(const Vector3<float>& step, double allowed, float limit2);
+    /// Would a face of the trial face away from the original below its centroid, and did not before?
+    bool FoldsFace() const
     {
         for (std::size_t i = 0; i < star_.size(); ++i) {
-            const Place below = state_.centroidHints[star_[i].face];
-            if (LooksAway(state_.original, below, NormalOf(trials_[i].triangle)) &&
-                !LooksAway(state_.original, below, NormalOf(star_[i].triangle)))
+            const SurfacePlace below = state_.centroidHints[star_[i].face];
+            if (FacesAwayFrom(state_.original, below, NormalOf(trials_[i].triangle)) &&
+                !FacesAwayFrom(state_.original, below, NormalOf(star_[i].triangle)))
                 return true;
         }
         return false;
     }
-    void Accept(std::uint32_t v, const Vector3& step)
+    void Accept(std::uint32_t v, const Vector3<float>& step)
     {
         SurfacePoint& point = state_.simplified.points[v];
         point.x += step.x;
@@ -237,11 +218,10 @@ inline void VertexMover::MeasureForward(Energy& energy, EquationSums& equations)
         const FourClosestPoints closest = ClosestOnTriangle(group.point, triangle);
         const Int4 alongNormal = closest.inside | (closest.distance2 < Splat(kOnSurface2));
         const Float4 inverse = 1.0F / Sqrt(Max(closest.distance2, Splat(kOnSurface2)));
-        const FourPoints normal{Splat(triangle.nx), Splat(triangle.ny), Splat(triangle.nz)};
-        const FourPoints direction{inverse * closest.difference.x, inverse * closest.difference.y,
-                                   inverse * closest.difference.z};
-        equations.Add(group.weight * closest.originWeight, closest.originWeight,
-                      Select(alongNormal, normal, direction), closest.difference);
+        const Vector3<Float4> direction =
+            Select(alongNormal, Splat(NormalOf(triangle)), inverse * closest.difference);
+        equations.Add(group.weight * closest.originWeight, closest.originWeight, direction,
+                      closest.difference);
     }
     energy.sum = static_cast<double>(SumLanes(sum));
     energy.forward2 = MaxLane(largest);
@@ -249,34 +229,33 @@ inline void VertexMover::MeasureForward(Energy& energy, EquationSums& equations)
 
 inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
 {
-    const RefinementParameters& p = state_.parameters;
-    const Vector3 origin = PositionOf(state_.simplified, v);
+    const Vector3<float> origin = PositionOf(state_.simplified, v);
     const GroupRange all{0, groups_.size()};
-    const auto add = [&](const Vector3& position, float weight, float leverage, const GroupRange& near,
-                         Place& hint) {
+    const auto add = [&](const Vector3<float>& position, float weight, float leverage, const GroupRange& near,
+                         SurfacePlace& hint) {
         if (hint == kNone)
             hint = NearestOrigin(state_.samples, groups_, near.begin < near.end ? near : all, position);
-        points_.Add(origin + position, p.backwardWeight * weight, leverage, &hint);
+        points_.Add(origin + position, kBackwardWeight * weight, leverage, &hint);
     };
     points_.Clear();
     float area = 0;
     for (std::size_t i = 0; i < star_.size(); ++i) {
-        const StarFace& s = star_[i];
+        const StarTriangle& s = star_[i];
         const float faceArea = s.triangle.doubleArea / 2;
         area += faceArea;
-        add((1.0F / 3) * (s.toNext + s.toPrevious), p.backwardCentroid * faceArea, 1.0F / 3,
+        add((1.0F / 3) * (s.toNext + s.toPrevious), kBackwardCentroidShare * faceArea, 1.0F / 3,
             trials_[i].samples, state_.centroidHints[s.face]);
-        add(0.5F * s.toNext, p.backwardEdge * faceArea, 0.5F, trials_[i].samples, NextEdgeHint(i));
+        add(0.5F * s.toNext, kBackwardEdgeShare * faceArea, 0.5F, trials_[i].samples, NextEdgeHint(i));
     }
-    add(Vector3{}, p.backwardVertex * area, 1, all, state_.vertexHints[v]);
+    add(Vector3<float>{}, kBackwardVertexShare * area, 1, all, state_.vertexHints[v]);
 }
 
 /// Each sample on the face that held it and, unless it projects inside, on the two faces beside that.
-inline bool VertexMover::ForwardStaysBelow(const Vector3& step, double allowed, float limit2)
+inline bool VertexMover::ForwardStaysBelow(const Vector3<float>& step, double allowed, float limit2)
 {
     double sum = 0;
     for (SampleGroup& group : groups_) {
-        const FourPoints point = Moved(group.point, -1.0F * step);
+        const Vector3<Float4> point = group.point - Splat(step);
         const Trial& own = trials_[group.owner];
         const FourClosestPoints closest = ClosestOnTriangle(point, own.triangle);
         group.newDistance2 = closest.distance2;
@@ -296,4 +275,4 @@ inline bool VertexMover::ForwardStaysBelow(const Vector3& step, double allowed, 
     return true;
 }
 
-} // namespace vcg_ext::refinement
+} // namespace vcg_ext

@@ -11,18 +11,16 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/mesh/edge_flip.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/vertex_blocks.h"
+#include "vcg_ext/core/refine/attach_samples.h"
+#include "vcg_ext/core/refine/energy.h"
 #include "vcg_ext/core/refine/flip.h"
-#include "vcg_ext/core/refine/location.h"
 #include "vcg_ext/core/refine/move.h"
 #include "vcg_ext/core/refine/parameters.h"
-#include "vcg_ext/core/refine/blocks.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
 
 namespace vcg_ext
-{
-
-namespace refinement
 {
 
 /// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
@@ -38,11 +36,23 @@ inline double FaceSize(const SurfaceArrays& surface)
     return std::sqrt(doubleArea / 2 / static_cast<double>(surface.FaceCount()));
 }
 
-inline Buffer<Place> NoHints(std::size_t size)
+inline Buffer<SurfacePlace> NoHints(std::size_t size)
 {
-    Buffer<Place> hints(size);
+    Buffer<SurfacePlace> hints(size);
     std::fill(hints.begin(), hints.end(), kNone);
     return hints;
+}
+
+/// The samples attached to the faces, and no hints; the mean square is still to be set.
+inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArrays& simplified,
+                                       const Buffer<std::uint32_t>& root, int threads)
+{
+    return {original,
+            simplified,
+            AttachSamples(original, simplified, root, threads),
+            NoHints(simplified.VertexCount()),
+            NoHints(simplified.FaceCount()),
+            NoHints(3 * simplified.FaceCount())};
 }
 
 /// One object of scratch per thread, and what each of them counted.
@@ -52,12 +62,12 @@ class PerThread
     struct alignas(64) Slot {
         Tool tool;
         std::size_t count = 0;
-        explicit Slot(State& state) : tool(state) {}
+        explicit Slot(RefinementState& state) : tool(state) {}
     };
     std::vector<Slot> slots_;
 
   public:
-    PerThread(State& state, int threads)
+    PerThread(RefinementState& state, int threads)
     {
         slots_.reserve(static_cast<std::size_t>(threads));
         for (int i = 0; i < threads; ++i) slots_.emplace_back(state);
@@ -72,36 +82,33 @@ class PerThread
 };
 
 /// One pass of flips over all edges. Returns how many there were.
-inline std::size_t FlipEdges(State& state, int threads)
+inline std::size_t FlipEdges(RefinementState& state, int threads)
 {
     PerThread<EdgeFlipper> flippers(state, threads);
     const SurfaceArrays& surface = state.simplified;
     const auto hasFaces = [&](std::uint32_t v) { return surface.cornerCount[v] > 0; };
-    TreatConnectivity(surface, state.parameters.blockVertices, threads, hasFaces,
-                      [&](std::uint32_t v, int thread) {
-                          auto& slot = flippers[thread];
-                          slot.count += slot.tool.FlipAround(v);
-                      });
+    ForEachStarWithEdges(surface, state.blockVertices, threads, hasFaces, [&](std::uint32_t v, int thread) {
+        auto& slot = flippers[thread];
+        slot.count += slot.tool.FlipAround(v);
+    });
     return flippers.Count();
 }
 
 /// One pass of moves over all vertices that may move. Returns how many did.
-inline std::size_t MoveVertices(State& state, int threads)
+inline std::size_t MoveVertices(RefinementState& state, int threads)
 {
-    constexpr std::uint32_t kFewestFaces = 3;
+    constexpr std::uint32_t kMinFaces = 3;
     PerThread<VertexMover> movers(state, threads);
     const SurfaceArrays& surface = state.simplified;
     const auto mayMove = [&](std::uint32_t v) {
-        return surface.cornerCount[v] >= kFewestFaces && !(surface.flags[v] & (kBorderVertex | kFixedVertex));
+        return surface.cornerCount[v] >= kMinFaces && !(surface.flags[v] & (kBorderVertex | kFixedVertex));
     };
-    TreatStars(surface, state.parameters.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
+    ForEachStar(surface, state.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
         auto& slot = movers[thread];
         if (slot.tool.Move(v)) ++slot.count;
     });
     return movers.Count();
 }
-
-} // namespace refinement
 
 /// Moves the vertices and flips the edges of a simplified surface so that the weighted squared distance
 /// between it and the original falls, in both directions. Vertices, faces and their number stay.
@@ -114,38 +121,29 @@ inline std::size_t MoveVertices(State& state, int threads)
 /// \param simplified in the same frame; flags mark border and fixed vertices. Moved vertices get
 ///        kMovedVertex. Corner lists are copied to get room for flips.
 /// \param root a vertex of \p simplified for each of \p original, where the search for the closest face
-///        begins: the vertex that it was collapsed to, or the nearest one; 0xFFFFFFFF for none
+///        begins: the vertex that it was collapsed to, or the nearest one; kNone for none
 /// \pre both surfaces' arrays are consistent, coordinates finite
-/// \throws std::bad_alloc; \p simplified is then still a valid surface
+/// \throws Cancelled, std::bad_alloc; \p simplified is then still a valid surface
 inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& simplified,
                                const Buffer<std::uint32_t>& root, const RefinementParameters& parameters = {})
 {
-    using namespace refinement;
     RefinementReport report;
     if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
     const int threads = ResolveThreads(parameters.threads);
-    const auto cancelled = [&](int percent) {
-        report.cancelled = parameters.progress && !parameters.progress(percent, "Refinement");
-        return report.cancelled;
-    };
-    if (cancelled(0)) return report;
+    const auto reached = [&](int percent) { parameters.progress(percent, "Refining"); };
+    reached(0);
     if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
-    State state{original,
-                simplified,
-                parameters,
-                AttachSamples(original, simplified, root, parameters),
-                NoHints(simplified.VertexCount()),
-                NoHints(3 * simplified.FaceCount()),
-                NoHints(simplified.FaceCount())};
+    RefinementState state = BeginRefinement(original, simplified, root, threads);
     report.samples = state.samples.samples.size();
     const double meanSquare = MeanSquare(state.samples);
     report.rmsBefore = report.rmsAfter = std::sqrt(meanSquare);
     if (!(report.rmsBefore > kFlatTilt * FaceSize(simplified))) return report;
     state.meanSquare = static_cast<float>(meanSquare);
 
-    if (parameters.flip && !cancelled(20)) report.flips = FlipEdges(state, threads);
-    for (int sweep = 0; sweep < parameters.moveSweeps && !report.cancelled; ++sweep) {
-        if (cancelled(40 + 60 * sweep / parameters.moveSweeps)) break;
+    reached(20);
+    if (parameters.flip) report.flips = FlipEdges(state, threads);
+    for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
+        reached(40 + 60 * sweep / parameters.moveSweeps);
         const std::size_t moves = MoveVertices(state, threads);
         report.moves += moves;
         ++report.sweeps;

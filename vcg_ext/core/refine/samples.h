@@ -3,35 +3,18 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <limits>
 
 #include "vcg_ext/core/base/buffer.h"
-#include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/refine/parameters.h"
-#include "vcg_ext/core/base/stable_scatter.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/base/float4.h"
+#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/surface_walk.h"
 
-namespace vcg_ext::refinement
+namespace vcg_ext
 {
-
-/// End of a list, no face, no vertex.
-constexpr std::uint32_t kNone = 0xFFFFFFFF;
-
-/// Walks go around vertices with more faces than this: searching such a star for every sample near it would
-/// cost the square of its size.
-constexpr std::uint32_t kLargestSearchedStar = 256;
-
-/// A place on the original surface: one of its vertices, or one of its faces with the highest bit set.
-using Place = std::uint32_t;
-constexpr Place kFacePlace = 0x80000000;
-inline bool IsFace(Place place)
-{
-    return (place & kFacePlace) != 0;
-}
 
 /// A point of the original with its share of the area, attached to the face of the simplified surface that
 /// is closest to it. Samples of one face form a list.
@@ -41,11 +24,11 @@ struct alignas(32) Sample {
     float distance2;    ///< square of the distance to \c face
     std::uint32_t face; ///< of the simplified surface
     std::uint32_t next; ///< sample of the same face, or kNone
-    Place origin;
+    SurfacePlace origin;
 };
 static_assert(sizeof(Sample) == 32, "half a cache line");
 
-inline Vector3 PositionOf(const Sample& sample)
+inline Vector3<float> PositionOf(const Sample& sample)
 {
     return {sample.x, sample.y, sample.z};
 }
@@ -56,6 +39,14 @@ struct SampleSummary {
     std::uint32_t count = 0;
     float weight = 0;
     float energy = 0; ///< sum of weight x squared distance
+
+    /// Adds the sums of another face; the lists stay apart.
+    void Add(const SampleSummary& face)
+    {
+        count += face.count;
+        weight += face.weight;
+        energy += face.energy;
+    }
 };
 
 /// Samples and their lists. Samples lie in memory in the order of the faces that they were first attached to.
@@ -78,137 +69,6 @@ struct SampleLists {
     }
 };
 
-/// The sums of several faces; the lists stay apart.
-inline void Add(const SampleSummary& face, SampleSummary& sum)
-{
-    sum.count += face.count;
-    sum.weight += face.weight;
-    sum.energy += face.energy;
-}
-
-/// Which samples are drawn: every vertex on a face, and every centroidStep-th face.
-struct SamplePlan {
-    std::size_t vertices = 0;
-    std::size_t centroids = 0;
-    std::size_t centroidStep = 1;
-
-    std::size_t Items() const { return vertices + centroids; }
-    bool IsVertex(std::size_t item) const { return item < vertices; }
-    std::uint32_t FaceOfItem(std::size_t item) const
-    {
-        return static_cast<std::uint32_t>((item - vertices) * centroidStep);
-    }
-};
-
-inline SamplePlan PlanSamples(const SurfaceArrays& original, const SurfaceArrays& simplified,
-                              const RefinementParameters& parameters)
-{
-    const double faces = static_cast<double>(std::max<std::size_t>(1, simplified.FaceCount()));
-    const double vertices = static_cast<double>(original.VertexCount()) / faces;
-    const double centroids = static_cast<double>(original.FaceCount()) / faces;
-    const double wanted = std::max(0.5, static_cast<double>(parameters.samplesPerFace) - vertices);
-    SamplePlan plan;
-    plan.vertices = original.VertexCount();
-    if (vertices + centroids > static_cast<double>(parameters.samplesPerFace))
-        plan.centroidStep = static_cast<std::size_t>(std::max(1L, std::lround(centroids / wanted)));
-    // Subdivided meshes hold their faces in fours: an even step would always meet the same one.
-    if (plan.centroidStep > 2) plan.centroidStep |= 1;
-    plan.centroids = (original.FaceCount() + plan.centroidStep - 1) / plan.centroidStep;
-    return plan;
-}
-
-/// Draws the samples, grouped by the simplified vertex that their place on the original was collapsed to.
-class SampleDrawer
-{
-    static constexpr std::size_t kGrain = 8192;
-    const SurfaceArrays& original_;
-    const SurfaceArrays& simplified_;
-    const Buffer<std::uint32_t>& root_;
-    const RefinementParameters& parameters_;
-    SamplePlan plan_;
-    std::size_t groups_;
-    int threads_;
-    Buffer<float> area_;               // of the original's faces
-    Buffer<std::uint32_t> items_;      // by group, ascending in each
-    std::vector<std::uint32_t> begin_; // of the groups in items_; the last one holds what has no group
-
-  public:
-    /// \param root a vertex of \p simplified for every vertex of \p original, kNone where there is none
-    SampleDrawer(const SurfaceArrays& original, const SurfaceArrays& simplified,
-                 const Buffer<std::uint32_t>& root, const RefinementParameters& parameters)
-        : original_(original), simplified_(simplified), root_(root), parameters_(parameters),
-          plan_(PlanSamples(original, simplified, parameters)), groups_(simplified.VertexCount()),
-          threads_(ResolveThreads(parameters.threads))
-    {
-        MeasureAreas();
-        GroupItems();
-    }
-
-    std::size_t Count() const { return begin_[groups_]; }
-    std::size_t GroupBegin(std::size_t group) const { return begin_[group]; }
-    std::size_t GroupEnd(std::size_t group) const { return begin_[group + 1]; }
-
-    /// The sample of one place in the groups, not yet attached to a face.
-    Sample Draw(std::size_t slot) const
-    {
-        const std::uint32_t item = items_[slot];
-        return plan_.IsVertex(item) ? VertexSample(item) : CentroidSample(plan_.FaceOfItem(item));
-    }
-
-  private:
-    void MeasureAreas()
-    {
-        area_.Allocate(original_.FaceCount());
-        ParallelRanges(threads_, area_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t f = begin; f < end; ++f)
-                area_[f] = 0.5F * Norm(AreaVector(original_, static_cast<std::uint32_t>(f)));
-        });
-    }
-    /// The simplified vertex whose star is searched first; kNone where nothing is left.
-    std::uint32_t GroupOf(std::size_t item) const
-    {
-        if (plan_.IsVertex(item)) return original_.cornerCount[item] == 0 ? kNone : LiveRoot(item);
-        std::uint32_t group = kNone;
-        for (const std::uint32_t v : original_.triangles[plan_.FaceOfItem(item)].v) {
-            const std::uint32_t candidate = LiveRoot(v);
-            if (candidate == kNone) continue;
-            if (simplified_.cornerCount[candidate] <= kLargestSearchedStar) return candidate;
-            group = candidate;
-        }
-        return group;
-    }
-    std::uint32_t LiveRoot(std::size_t v) const
-    {
-        const std::uint32_t root = root_[v];
-        return root != kNone && simplified_.cornerCount[root] > 0 ? root : kNone;
-    }
-    void GroupItems()
-    {
-        items_.Allocate(plan_.Items());
-        begin_ = StableScatter(
-            threads_, plan_.Items(), groups_ + 1,
-            [&](std::size_t item) { return std::min<std::size_t>(GroupOf(item), groups_); },
-            [&](std::size_t item, std::size_t place) { items_[place] = static_cast<std::uint32_t>(item); });
-    }
-    Sample VertexSample(std::uint32_t v) const
-    {
-        float area = 0;
-        for (const Corner* c = BeginCorners(original_, v); c != EndCorners(original_, v); ++c)
-            area += area_[FaceOf(*c)];
-        const SurfacePoint& p = original_.points[v];
-        return {p.x, p.y, p.z, parameters_.vertexShare * area / 3 * p.weight, 0, kNone, kNone, v};
-    }
-    Sample CentroidSample(std::uint32_t f) const
-    {
-        const Vector3 p = Centroid(original_, f);
-        float weight = 0;
-        for (const std::uint32_t v : original_.triangles[f].v) weight += original_.points[v].weight / 3;
-        const float area = static_cast<float>(plan_.centroidStep) * area_[f];
-        return {p.x, p.y,   p.z,   (1 - parameters_.vertexShare) * area * weight,
-                0,   kNone, kNone, f | kFacePlace};
-    }
-};
-
 /// Weighted mean of the squared distances, 0 without samples.
 inline double MeanSquare(const SampleLists& lists)
 {
@@ -220,4 +80,88 @@ inline double MeanSquare(const SampleLists& lists)
     return weight > 0 ? energy / weight : 0;
 }
 
-} // namespace vcg_ext::refinement
+/// Four samples of one face, seen from a common origin. Lanes behind the last sample have weight 0.
+struct SampleGroup {
+    Vector3<Float4> point;
+    Float4 weight;
+    Float4 distance2;
+    Float4 newDistance2;
+    Int4 newOwner;           ///< which of the collected faces is closest in the trial
+    std::uint32_t sample[4]; ///< kNone behind the last
+    std::uint32_t owner;     ///< which of the collected faces holds them
+};
+using SampleGroups = Scratch<SampleGroup>;
+
+/// Appends the samples of one face in fours.
+inline void CollectSamples(const SampleLists& lists, std::uint32_t face, std::uint32_t owner,
+                           const Vector3<float>& origin, SampleGroups& groups)
+{
+    std::uint32_t next = lists.faces[face].first;
+    while (next != kNone) {
+        SampleGroup& group = groups.Append();
+        group.owner = owner;
+        const float* lane[4];
+        Float4 distance2 = Splat(0.0F);
+        int count = 0;
+        for (; count < kLanes && next != kNone; ++count) {
+            const Sample& sample = lists.samples[next];
+            group.sample[count] = next;
+            lane[count] = &sample.x;
+            distance2[count] = sample.distance2;
+            next = sample.next;
+        }
+        const Int4 used = FirstLanes(count);
+        for (; count < kLanes; ++count) {
+            group.sample[count] = kNone;
+            lane[count] = lane[count - 1];
+        }
+        LoadTransposed(lane[0], lane[1], lane[2], lane[3], group.point.x, group.point.y, group.point.z,
+                       group.weight);
+        group.point = group.point - Splat(origin);
+        group.weight = OrZero(used, group.weight);
+        group.distance2 = distance2;
+    }
+}
+
+/// Consecutive groups.
+struct GroupRange {
+    std::size_t begin, end;
+};
+
+/// Where the sample of \p range nearest to \p p comes from. \pre the range is not empty; p is seen from the
+/// groups' origin
+inline SurfacePlace NearestOrigin(const SampleLists& lists, const SampleGroups& groups,
+                                  const GroupRange& range, const Vector3<float>& p)
+{
+    Float4 best = Splat(std::numeric_limits<float>::max());
+    Int4 bestGroup = Splat(0);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const Float4 distance2 = SquaredNorm(groups[i].point - Splat(p));
+        bestGroup = Select(distance2 < best, Splat(static_cast<std::int32_t>(i)), bestGroup);
+        best = Min(distance2, best);
+    }
+    int lane = 0;
+    for (int i = 1; i < kLanes; ++i)
+        if (best[i] < best[lane]) lane = i;
+    const SampleGroup& group = groups[static_cast<std::size_t>(bestGroup[lane])];
+    while (group.sample[lane] == kNone) --lane; // lanes behind the last sample repeat it
+    return lists.samples[group.sample[lane]].origin;
+}
+
+/// Writes an accepted trial back: distances, owners and the lists of the collected faces.
+/// \param faceOf faceOf(owner) is the face of the simplified surface
+template <class FaceOfOwner>
+void StoreSamples(SampleLists& lists, SampleGroups& groups, std::size_t owners, const FaceOfOwner& faceOf)
+{
+    for (std::size_t owner = 0; owner < owners; ++owner) lists.Clear(faceOf(owner));
+    for (std::size_t i = groups.size(); i-- > 0;) {
+        const SampleGroup& group = groups[i];
+        for (int lane = kLanes; lane-- > 0;) {
+            if (group.sample[lane] == kNone) continue;
+            lists.samples[group.sample[lane]].distance2 = group.newDistance2[lane];
+            lists.Attach(group.sample[lane], faceOf(static_cast<std::size_t>(group.newOwner[lane])));
+        }
+    }
+}
+
+} // namespace vcg_ext

@@ -8,258 +8,140 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "vcg_ext/core/mesh/face_tree.h"
-#include "vcg_ext/core/repair/local_samples.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/mesh/surface_arrays.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
-#include "vcg_ext/core/mesh/surface_corners.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/core/mesh/edge_flip.h"
+#include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/repair/local_energy.h"
+#include "vcg_ext/core/repair/local_samples.h"
 
 namespace vcg_ext
 {
 
-inline PlacedTriangle Placed(const SurfaceArrays& surface, const SurfaceTriangle& triangle)
-{
-    const Vector3 a = PositionOf(surface, triangle.v[0]);
-    return {a,
-            PrepareTriangle(PositionOf(surface, triangle.v[1]) - a, PositionOf(surface, triangle.v[2]) - a)};
-}
-
-/// A face is folded where the original looks the other way at the point that is closest to the face's
+/// A face is folded where the original faces the other way at the point that is closest to the face's
 /// centroid. Faces without area have no side.
-/// \param onSurface a point of the original where it does not look against the face, if one is known
+/// \param onSurface a point of the original where it does not face away from the face, if one is known
 inline bool IsFolded(const FaceTree& original, const PlacedTriangle& face,
-                     const std::optional<Vector3>& onSurface = {})
+                     const std::optional<Vector3<float>>& onSurface = {})
 {
     if (!(face.shape.doubleArea > 0)) return false;
-    const Vector3 centroid = face.origin + (1.0F / 3) * (face.ToSecond() + face.ToThird());
-    if (!onSurface) return original.LooksAgainst(centroid, NormalOf(face.shape));
-    return original.LooksAgainst(centroid, NormalOf(face.shape), SquaredNorm(*onSurface - centroid));
+    const Vector3<float> centroid = face.origin + (1.0F / 3) * (face.ToSecond() + face.ToThird());
+    if (!onSurface) return original.FacesAwayFrom(centroid, NormalOf(face.shape));
+    return original.FacesAwayFrom(centroid, NormalOf(face.shape), SquaredNorm(*onSurface - centroid));
 }
 
-/// Mends folded faces of a simplified surface, each by the edge flip or the move of one of its vertices that
-/// leaves fewer of them and changes the distances between the surfaces most favourably.
-class Unfolder
+/// Repairs folded faces of a simplified surface, each by the edge flip or the move of one of its vertices
+/// that leaves fewer of them and changes the distances between the surfaces most favourably.
+class FoldRepair
 {
     /// A flip or a move, and what it does.
     struct Change {
-        int folded = 0; ///< how many fewer faces are folded
-        float rise = 0; ///< of the energy
+        int repaired = 0; ///< how many fewer faces are folded
+        float rise = 0;   ///< of the energy
         std::optional<FlippableEdge> flip;
         std::uint32_t vertex = 0; ///< that moves, where nothing is flipped ...
-        Vector3 place;            ///< ... to this point
+        Vector3<float> place{};   ///< ... to this point
     };
-    /// The faces that a change replaces, or puts in their place.
-    struct Look {
+    /// Of the faces that a change replaces, or puts in their place.
+    struct Condition {
         int folded = 0;
         float quality = 1; ///< of the worst
     };
+    /// What a change starts from.
+    struct Start {
+        Condition condition;
+        float energy = 0;
+        float rounding = 0; ///< a rise of the energy by so much says nothing
+    };
 
-    static constexpr std::size_t kMostSamples = 100;
-    static constexpr float kPoorQuality = 0.02F; ///< a worse triangle only where a worse one was before
+    static constexpr float kMinQuality = 0.02F; ///< a worse triangle only where a worse one was before
     static constexpr float kNoLimit = std::numeric_limits<float>::max();
 
     const FaceTree& original_;
-    const FaceTree& simplified_; ///< the surface before the first change
     SurfaceArrays& surface_;
-    std::vector<std::uint32_t> changed_; ///< faces since then, sorted
-    NearbySamples samples_;
-    std::vector<std::uint32_t> region_, star_, others_; // faces
-    std::vector<PlacedTriangle> placed_;
-    std::vector<Vector3> places_;
+    LocalEnergy energy_;
+    std::vector<std::uint32_t> star_;    ///< faces
+    std::vector<PlacedTriangle> placed_; ///< the faces that a change replaces, or puts in their place
+    std::vector<Vector3<float>> places_;
     std::vector<std::uint32_t> next_, previous_;
 
   public:
-    Unfolder(const FaceTree& original, const FaceTree& simplified, SurfaceArrays& surface)
-        : original_(original), simplified_(simplified), surface_(surface)
+    /// \param simplified of the surface's faces, which have not changed yet
+    FoldRepair(const FaceTree& original, const FaceTree& simplified, SurfaceArrays& surface)
+        : original_(original), surface_(surface), energy_(original, simplified, surface)
     {
     }
 
     /// All faces that are not as they were at the start, in ascending order.
-    const std::vector<std::uint32_t>& Changed() const { return changed_; }
+    const std::vector<std::uint32_t>& Changed() const { return energy_.Changed(); }
 
     bool IsFoldedNow(std::uint32_t face) const
     {
         return IsFolded(original_, Placed(surface_, surface_.triangles[face]));
     }
 
-    /// Mends \p face if that can be done.
+    /// Repairs \p face if that can be done.
     /// \param tolerance the energy of what changes may rise by this factor
     /// \param bordersMove vertices on borders may move too
-    void Mend(std::uint32_t face, float tolerance, bool bordersMove)
+    void Repair(std::uint32_t face, float tolerance, bool bordersMove)
     {
         if (!IsFoldedNow(face)) return;
-        FindRegion(face);
+        energy_.Center(face);
         std::optional<Change> best;
         if (!TryFlips(face, tolerance, best)) TryMoves(face, tolerance, bordersMove, best);
-        if (best) Carry(*best);
+        if (best) Apply(*best);
     }
 
   private:
-    bool IsFixed(std::uint32_t v) const { return (surface_.flags[v] & kFixedVertex) != 0; }
-    template <class Visit>
-    void ForEachFaceAround(std::uint32_t v, const Visit& visit) const
-    {
-        for (const Corner* c = BeginCorners(surface_, v); c != EndCorners(surface_, v); ++c)
-            visit(FaceOf(*c));
-    }
-    static void SortUnique(std::vector<std::uint32_t>& values)
-    {
-        std::sort(values.begin(), values.end());
-        values.erase(std::unique(values.begin(), values.end()), values.end());
-    }
-
-    /// A box that grows.
-    struct Bounds {
-        Vector3 low{kNoLimit, kNoLimit, kNoLimit}, high{-kNoLimit, -kNoLimit, -kNoLimit};
-        void Add(const Vector3& p)
-        {
-            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-        }
-        void Grow(float by)
-        {
-            low = low - Vector3{by, by, by};
-            high = high + Vector3{by, by, by};
-        }
-        bool Has(const Vector3& p) const { return Meets({p, p}); }
-        bool Meets(const Bounds& b) const
-        {
-            return low.x <= b.high.x && low.y <= b.high.y && low.z <= b.high.z && b.low.x <= high.x &&
-                   b.low.y <= high.y && b.low.z <= high.z;
-        }
-    };
-    Bounds BoundsOf(std::uint32_t face) const
-    {
-        Bounds bounds;
-        for (const std::uint32_t v : surface_.triangles[face].v) bounds.Add(PositionOf(surface_, v));
-        return bounds;
-    }
-
-    /// The faces around \p face, the original's samples near them, and the faces beyond that those may be
-    /// closer to.
-    void FindRegion(std::uint32_t face)
-    {
-        region_.clear();
-        for (const std::uint32_t v : surface_.triangles[face].v)
-            ForEachFaceAround(v, [&](std::uint32_t f) { region_.push_back(f); });
-        SortUnique(region_);
-        Bounds bounds;
-        float distance2 = 0;
-        for (const std::uint32_t f : region_) {
-            distance2 = std::max(distance2, original_.Distance2(Centroid(surface_, f)));
-            for (const std::uint32_t v : surface_.triangles[f].v) bounds.Add(PositionOf(surface_, v));
-        }
-        const float margin = 2 * std::sqrt(distance2);
-        bounds.Grow(margin);
-        TakeSamples(bounds);
-        bounds.Grow(margin);
-        others_.clear();
-        for (const std::uint32_t f : changed_)
-            if (bounds.Meets(BoundsOf(f))) others_.push_back(f);
-        simplified_.ForEachNear(bounds.low, bounds.high,
-                                [&](std::uint32_t f, const auto&...) { others_.push_back(f); });
-        SortUnique(others_);
-        for (const std::uint32_t f : others_)
-            if (!std::binary_search(region_.begin(), region_.end(), f) && bounds.Meets(BoundsOf(f)))
-                samples_.AddFar(Placed(surface_, surface_.triangles[f]));
-    }
-    void TakeSamples(const Bounds& bounds)
-    {
-        constexpr float kCentroidShare = 0.4F, kCornerShare = 0.2F;
-        samples_.Clear();
-        original_.ForEachNear(bounds.low, bounds.high,
-                              [&](std::uint32_t, const Vector3& a, const Vector3& ab, const Vector3& ac) {
-                                  const float area = Norm(Cross(ab, ac)) / 2;
-                                  const auto add = [&](const Vector3& p, float share) {
-                                      if (bounds.Has(p)) samples_.Add(p, share * area);
-                                  };
-                                  add(a + (1.0F / 3) * (ab + ac), kCentroidShare);
-                                  for (const Vector3& corner : {a, a + ab, a + ac}) add(corner, kCornerShare);
-                              });
-        samples_.Begin(kMostSamples);
-    }
-    /// Only \p faces change from now on.
-    void LetChange(const std::vector<std::uint32_t>& faces)
-    {
-        samples_.ForgetElsewhere();
-        for (const std::uint32_t f : region_)
-            if (std::find(faces.begin(), faces.end(), f) == faces.end())
-                samples_.AddElsewhere(Placed(surface_, surface_.triangles[f]));
-    }
-
-    /// Looks at placed_. \param enough where so many faces are folded, there is no need to look further
+    /// Of placed_. \param enough where so many faces are folded, there is no need to look further
     /// \return nothing where a face has no area
-    std::optional<Look> LookAtPlaced(int enough) const
+    std::optional<Condition> ConditionOfPlaced(int enough) const
     {
-        Look look;
+        Condition condition;
         for (const PlacedTriangle& face : placed_) {
             if (!(face.shape.doubleArea > 0)) return std::nullopt;
-            look.quality = std::min(look.quality, face.shape.quality);
+            condition.quality = std::min(condition.quality, face.shape.quality);
         }
         for (const PlacedTriangle& face : placed_)
-            if (IsFolded(original_, face) && ++look.folded >= enough) break;
-        return look;
-    }
-    /// Area times squared distance of placed_, from the samples and back; any number above \p limit where it
-    /// is above that.
-    float Energy(float limit) const
-    {
-        // of a face's area, on its centroid, the midpoints of its edges and its corners: exact for cubics
-        constexpr float kCentroid = 9.0F / 20, kMidpoint = 2.0F / 15, kCorner = 1.0F / 20;
-        float energy = samples_.Energy(placed_, limit);
-        for (const PlacedTriangle& face : placed_) {
-            if (energy > limit) break;
-            const Vector3 b = face.ToSecond(), c = face.ToThird();
-            const auto at = [&](const Vector3& p) { return original_.Distance2(face.origin + p); };
-            energy += face.shape.doubleArea / 2 *
-                      (kCentroid * at((1.0F / 3) * (b + c)) +
-                       kMidpoint * (at(0.5F * b) + at(0.5F * c) + at(0.5F * (b + c))) +
-                       kCorner * (at(Vector3{}) + at(b) + at(c)));
-        }
-        return energy;
+            if (IsFolded(original_, face) && ++condition.folded >= enough) break;
+        return condition;
     }
 
-    /// What a change starts from: placed_ holds the old faces, LetChange has been told of them.
-    struct Start {
-        Look look;
-        float energy = 0;
-        float rounding = 0; ///< a rise of the energy by so much says nothing
-    };
+    /// \pre placed_ holds the old faces, the energy has been told of them
     Start Begin() const
     {
         Start start;
         for (const PlacedTriangle& face : placed_) {
-            start.look.folded += IsFolded(original_, face);
-            start.look.quality = std::min(start.look.quality, face.shape.quality);
+            start.condition.folded += IsFolded(original_, face);
+            start.condition.quality = std::min(start.condition.quality, face.shape.quality);
             start.rounding += face.shape.doubleArea / 2 * FaceTree::kOnSurface2;
         }
-        start.energy = Energy(kNoLimit);
+        start.energy = energy_.Of(placed_, kNoLimit);
         return start;
     }
+
     /// Makes \p change, of which placed_ holds the new faces, the best one if it is.
     /// \return it is good enough to look no further: no face that it puts in place is folded, and the energy
     /// has not risen but for rounding
     bool Offer(Change change, const Start& start, float tolerance, std::optional<Change>& best) const
     {
-        const auto look = LookAtPlaced(start.look.folded);
-        if (!look || look->folded >= start.look.folded ||
-            look->quality < std::min(start.look.quality, kPoorQuality))
+        const auto condition = ConditionOfPlaced(start.condition.folded);
+        if (!condition || condition->folded >= start.condition.folded ||
+            condition->quality < std::min(start.condition.quality, kMinQuality))
             return false;
-        change.folded = start.look.folded - look->folded;
-        if (best && best->folded > change.folded) return false;
-        const bool tie = best && best->folded == change.folded;
+        change.repaired = start.condition.folded - condition->folded;
+        if (best && best->repaired > change.repaired) return false;
+        const bool tie = best && best->repaired == change.repaired;
         const float allowed = tolerance * start.energy + start.rounding;
         const float limit = tie ? std::min(allowed, start.energy + best->rise) : allowed;
-        const float energy = Energy(limit);
+        const float energy = energy_.Of(placed_, limit);
         if (!(energy <= limit) || (tie && energy - start.energy >= best->rise)) return false;
         change.rise = energy - start.energy;
         best = change;
-        return look->folded == 0 && change.rise <= start.rounding;
+        return condition->folded == 0 && change.rise <= start.rounding;
     }
 
     /// Offers every flip, until one cannot be beaten. \return whether one cannot
@@ -267,12 +149,12 @@ class Unfolder
     {
         const SurfaceTriangle t = surface_.triangles[face];
         for (int k = 0; k < 3; ++k) {
-            const auto edge = FindFlippableEdge(surface_, t.v[k], t.v[(k + 1) % 3]);
+            const auto edge = FindFlippableEdge(surface_, t.v[k], t.v[kNextIndex[k]]);
             if (!edge || AreNeighbours(surface_, edge->c, edge->d)) continue;
-            LetChange({edge->First(), edge->Second()});
+            energy_.LetChange({edge->First(), edge->Second()});
             placed_ = {Placed(surface_, surface_.triangles[edge->First()]),
                        Placed(surface_, surface_.triangles[edge->Second()])};
-            const auto start = Begin();
+            const Start start = Begin();
             placed_ = {Placed(surface_, {{edge->a, edge->d, edge->c}}),
                        Placed(surface_, {{edge->b, edge->c, edge->d}})};
             Change change;
@@ -282,19 +164,21 @@ class Unfolder
         return false;
     }
 
+    /// Offers moves of the face's vertices, until one cannot be beaten.
     void TryMoves(std::uint32_t face, float tolerance, bool bordersMove, std::optional<Change>& best)
     {
         const SurfaceTriangle t = surface_.triangles[face];
         for (const std::uint32_t v : t.v) {
-            if (IsFixed(v) || (!bordersMove && !HasClosedStar(surface_, v, next_, previous_))) continue;
+            if (surface_.flags[v] & kFixedVertex) continue;
+            if (!bordersMove && !HasClosedStar(surface_, v, next_, previous_)) continue;
             star_ = {face}; // first, because it decides most often
-            ForEachFaceAround(v, [&](std::uint32_t f) {
+            ForEachFaceAround(surface_, v, [&](std::uint32_t f) {
                 if (f != face) star_.push_back(f);
             });
-            LetChange(star_);
+            energy_.LetChange(star_);
             PlaceStar();
-            const auto start = Begin();
-            const Vector3 here = PositionOf(surface_, v);
+            const Start start = Begin();
+            const Vector3<float> here = PositionOf(surface_, v);
             FindPlaces(face, v);
             bool unbeaten = false;
             for (std::size_t i = 0; i < places_.size() && !unbeaten; ++i) {
@@ -314,36 +198,30 @@ class Unfolder
         placed_.clear();
         for (const std::uint32_t f : star_) placed_.push_back(Placed(surface_, surface_.triangles[f]));
     }
-    void Put(std::uint32_t v, const Vector3& p)
+    void Put(std::uint32_t v, const Vector3<float>& p)
     {
         SurfacePoint& point = surface_.points[v];
         point = {p.x, p.y, p.z, point.weight};
     }
 
-    /// Where \p v might go to mend \p face: away from the side that is too close, across the opposite edge,
+    /// Where \p v might go to repair \p face: away from the side that is too close, across the opposite edge,
     /// or towards the middle of its neighbours, there or on the original.
     void FindPlaces(std::uint32_t face, std::uint32_t v)
     {
-        const Vector3 here = PositionOf(surface_, v);
-        const SurfaceTriangle& t = surface_.triangles[face];
+        const Vector3<float> here = PositionOf(surface_, v);
         places_.clear();
-        const Vector3 normal = NormalOf(Placed(surface_, t).shape);
-        const float reach2 = original_.DistanceAlong2(Centroid(surface_, face), normal);
-        Vector3 star, middle;
-        ForEachFaceAround(v, [&](std::uint32_t f) { star = star + AreaVector(surface_, f); });
-        star = (1 / std::max(Norm(star), std::sqrt(kSmallestSquare))) * star;
-        if (reach2 < kNoLimit)
-            for (const float s : {0.1F, 0.2F, 0.4F, 0.7F, 1.0F, 1.5F, 2.0F, 3.0F})
-                for (const Vector3& step : {normal, star, -1.0F * star})
-                    places_.push_back(here + (s * std::sqrt(reach2)) * step);
+        AddPlacesAlongNormals(face, v, here);
 
+        const SurfaceTriangle& t = surface_.triangles[face];
         int k = 0;
         while (t.v[k] != v) ++k;
-        const Vector3 p = PositionOf(surface_, t.v[(k + 1) % 3]), q = PositionOf(surface_, t.v[(k + 2) % 3]);
-        const float along = Dot(here - p, q - p) / std::max(SquaredNorm(q - p), kSmallestSquare);
-        const Vector3 toEdge = p + along * (q - p) - here;
+        const Vector3<float> p = PositionOf(surface_, t.v[kNextIndex[k]]);
+        const Vector3<float> edge = PositionOf(surface_, t.v[kPreviousIndex[k]]) - p;
+        const float along = Dot(here - p, edge) / std::max(SquaredNorm(edge), kSmallestSquare);
+        const Vector3<float> toEdge = p + along * edge - here;
         for (const float s : {1.2F, 1.5F, 2.0F, 4.0F}) places_.push_back(here + s * toEdge);
 
+        Vector3<float> middle{};
         for (const Corner* c = BeginCorners(surface_, v); c != EndCorners(surface_, v); ++c)
             middle = middle + PositionOf(surface_, NextVertex(surface_, *c));
         middle = (1 / static_cast<float>(surface_.cornerCount[v])) * middle;
@@ -352,24 +230,32 @@ class Unfolder
             places_.push_back(original_.Closest(places_.back()));
         }
     }
+    /// Of the face and of the star, by parts of the distance to where the original faces along the face.
+    void AddPlacesAlongNormals(std::uint32_t face, std::uint32_t v, const Vector3<float>& here)
+    {
+        const Vector3<float> normal = NormalOf(Placed(surface_, surface_.triangles[face]).shape);
+        const float reach2 = original_.DistanceAlong2(Centroid(surface_, face), normal);
+        if (!(reach2 < kNoLimit)) return;
+        Vector3<float> star{};
+        ForEachFaceAround(surface_, v, [&](std::uint32_t f) { star = star + AreaVector(surface_, f); });
+        star = (1 / std::max(Norm(star), std::sqrt(kSmallestSquare))) * star;
+        for (const float s : {0.1F, 0.2F, 0.4F, 0.7F, 1.0F, 1.5F, 2.0F, 3.0F})
+            for (const Vector3<float>& step : {normal, star, -1.0F * star})
+                places_.push_back(here + (s * std::sqrt(reach2)) * step);
+    }
 
-    void Carry(const Change& change)
+    void Apply(const Change& change)
     {
         if (change.flip) {
             FlipEdge(surface_, *change.flip);
-            MarkChanged(change.flip->First());
-            MarkChanged(change.flip->Second());
-        } else {
-            Put(change.vertex, change.place);
-            std::uint8_t& flags = surface_.flags[change.vertex];
-            flags = static_cast<std::uint8_t>(flags | kMovedVertex);
-            ForEachFaceAround(change.vertex, [&](std::uint32_t f) { MarkChanged(f); });
+            energy_.MarkChanged(change.flip->First());
+            energy_.MarkChanged(change.flip->Second());
+            return;
         }
-    }
-    void MarkChanged(std::uint32_t face)
-    {
-        const auto at = std::lower_bound(changed_.begin(), changed_.end(), face);
-        if (at == changed_.end() || *at != face) changed_.insert(at, face);
+        Put(change.vertex, change.place);
+        std::uint8_t& flags = surface_.flags[change.vertex];
+        flags = static_cast<std::uint8_t>(flags | kMovedVertex);
+        ForEachFaceAround(surface_, change.vertex, [&](std::uint32_t f) { energy_.MarkChanged(f); });
     }
 };
 

@@ -3,48 +3,57 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/base/simd.h"
+#include "vcg_ext/core/mesh/surface.h"
 
 namespace vcg_ext
 {
 
 /// A triangle in the frame.
 struct PlacedTriangle {
-    Vector3 origin; ///< the first corner
+    Vector3<float> origin; ///< the first corner
     PreparedTriangle<float> shape;
 
-    Vector3 ToSecond() const { return {shape.bx, shape.by, shape.bz}; }
-    Vector3 ToThird() const { return {shape.cx, shape.cy, shape.cz}; }
+    Vector3<float> ToSecond() const { return {shape.bx, shape.by, shape.bz}; }
+    Vector3<float> ToThird() const { return {shape.cx, shape.cy, shape.cz}; }
 };
+
+inline PlacedTriangle Placed(const SurfaceArrays& surface, const SurfaceTriangle& triangle)
+{
+    const Vector3<float> a = PositionOf(surface, triangle.v[0]);
+    return {a,
+            PrepareTriangle(PositionOf(surface, triangle.v[1]) - a, PositionOf(surface, triangle.v[2]) - a)};
+}
 
 /// Points of one surface, each with the area that it stands for, and how far they are from a part of another
 /// surface that changes, and from the rest, which does not.
-class NearbySamples
+class LocalSamples
 {
     struct Group {
-        FourPoints point;
+        Vector3<Float4> point;
         Float4 area;       ///< 0 in lanes behind the last point
         Float4 far2;       ///< squared distance to what never changes
         Float4 elsewhere2; ///< and to what stays as it is now
     };
     struct Sample {
-        Vector3 point;
+        Vector3<float> point;
         float area;
     };
     std::vector<Sample> samples_;
     std::vector<Group> groups_;
 
-    static Float4 Distance2(const FourPoints& points, const PlacedTriangle& triangle)
+    static Float4 Distance2(const Vector3<Float4>& points, const PlacedTriangle& triangle)
     {
-        return ClosestOnTriangle(Moved(points, -1.0F * triangle.origin), triangle.shape).distance2;
+        return ClosestOnTriangle(points - Splat(triangle.origin), triangle.shape).distance2;
     }
 
   public:
     void Clear() { samples_.clear(); }
-    void Add(const Vector3& point, float area) { samples_.push_back({point, area}); }
+    void Add(const Vector3<float>& point, float area) { samples_.push_back({point, area}); }
 
     /// Starts to measure, with at most \p most of the points, evenly chosen, for all.
     void Begin(std::size_t most)
@@ -57,16 +66,11 @@ class NearbySamples
         for (std::size_t i = 0; i < samples_.size(); i += stride, ++lane) {
             const auto& [point, area] = samples_[i];
             if (lane == kLanes) {
-                groups_.push_back({{Splat(point.x), Splat(point.y), Splat(point.z)},
-                                   Splat(0.0F),
-                                   Splat(kNothingNear),
-                                   Splat(kNothingNear)});
+                groups_.push_back({Splat(point), Splat(0.0F), Splat(kNothingNear), Splat(kNothingNear)});
                 lane = 0;
             }
             Group& group = groups_.back();
-            group.point.x[lane] = point.x;
-            group.point.y[lane] = point.y;
-            group.point.z[lane] = point.z;
+            SetLane(group.point, lane, point);
             group.area[lane] = area * static_cast<float>(stride);
         }
     }

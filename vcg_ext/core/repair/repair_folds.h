@@ -9,52 +9,49 @@
 #include <optional>
 #include <vector>
 
-#include "vcg_ext/core/mesh/decimated_view.h"
-#include "vcg_ext/core/mesh/decimation_types.h"
-#include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/mesh/surface_builder.h"
+#include "vcg_ext/core/base/progress.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/repair/fold_repair.h"
 
 namespace vcg_ext
 {
 
-/// Folded faces before and after the mending.
-struct UnfoldingReport {
+/// Folded faces before and after the repair.
+struct FoldRepairReport {
     std::size_t before = 0, after = 0;
-    bool cancelled = false;
 };
 
-namespace unfold_detail
+namespace fold_repair_detail
 {
 
-inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const SurfaceFrame& frame)
+inline PlacedTriangle Placed(const DecimatedMesh& mesh, std::size_t f, const Frame& frame)
 {
-    const auto corner = [&](std::size_t k) {
-        const SurfacePoint p = frame.ToFrame(mesh.positions[mesh.triangles[f][k]], 0);
-        return Vector3{p.x, p.y, p.z};
-    };
-    const Vector3 a = corner(0);
+    const auto corner = [&](std::size_t k) { return frame.Into(mesh.positions[mesh.triangles[f][k]]); };
+    const Vector3<float> a = corner(0);
     return {a, PrepareTriangle(corner(1) - a, corner(2) - a)};
 }
 
-/// A corner of the input face that \p face was, if that looks along it.
-inline std::optional<Vector3> PointBeside(const MeshView& original, std::size_t origin,
-                                          const SurfaceFrame& frame, const PlacedTriangle& face)
+/// A corner of the input face that \p face was, if that faces along it.
+inline std::optional<Vector3<float>> PointBeside(const MeshView& original, std::size_t origin,
+                                                 const Frame& frame, const PlacedTriangle& face)
 {
     const auto corner = [&](std::size_t k) {
-        const SurfacePoint p = frame.ToFrame(original.Position(original.triangles[3 * origin + k]), 0);
-        return Vector3{p.x, p.y, p.z};
+        return frame.Into(original.Position(original.triangles[3 * origin + k]));
     };
-    const Vector3 a = corner(0);
+    const Vector3<float> a = corner(0);
     if (!(Dot(Cross(corner(1) - a, corner(2) - a), NormalOf(face.shape)) > 0)) return std::nullopt;
     return a;
 }
 
 /// In ascending order.
 inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const FaceTree& tree,
-                                              const DecimatedMesh& mesh, const SurfaceFrame& frame,
-                                              int threads)
+                                              const DecimatedMesh& mesh, const Frame& frame, int threads)
 {
     constexpr std::size_t kGrain = 1024;
     std::vector<std::vector<std::uint32_t>> parts(mesh.triangles.size() / kGrain + 1);
@@ -70,8 +67,8 @@ inline std::vector<std::uint32_t> FoldedFaces(const MeshView& original, const Fa
     return folded;
 }
 
-/// Do many edges have faces that look to different sides? Then it says nothing that a face looks against the
-/// closest one.
+/// Do many edges have faces that face to different sides? Then it says nothing that a face faces away from
+/// the closest one.
 inline bool HasMixedOrientation(const MeshView& view)
 {
     constexpr std::size_t kMany = 100; // one in so many
@@ -86,61 +83,65 @@ inline bool HasMixedOrientation(const MeshView& view)
     return static_cast<std::size_t>(edges.end() - last) > edges.size() / kMany;
 }
 
-} // namespace unfold_detail
+/// \param folded those that are folded, at the start and at the end \param faces of the whole mesh
+inline void RunPasses(FoldRepair& repair, std::vector<std::uint32_t>& folded, std::size_t faces,
+                      Boundary boundary, const StageProgress& progress)
+{
+    // Cheap repairs first: they often repair a neighbour too.
+    constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
+    constexpr std::size_t kPasses = std::size(kTolerances);
+    // A bound on the time: a face takes milliseconds, and in a shell thinner than the error most are folded.
+    constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
+    std::size_t attempts = kAttempts + faces / kFacesPerAttempt;
+    for (std::size_t pass = 0; pass < kPasses; ++pass) {
+        for (const std::uint32_t f : folded) {
+            if (attempts == 0) break;
+            --attempts;
+            progress(static_cast<int>(100 * pass / kPasses), "Repairing folds");
+            repair.Repair(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);
+        }
+        folded.insert(folded.end(), repair.Changed().begin(), repair.Changed().end());
+        SortUnique(folded);
+        folded.erase(std::remove_if(folded.begin(), folded.end(),
+                                    [&](std::uint32_t f) { return !repair.IsFoldedNow(f); }),
+                     folded.end());
+    }
+}
 
-/// Mends folded faces: those that look against the original where it is closest to their centroid. Slivers
-/// that a collapse turned over are such faces, and large ones that cut through a wall thinner than the error.
+} // namespace fold_repair_detail
+
+/// Repairs folded faces: those that face away from the original where it is closest to their centroid.
+/// Slivers that a collapse turned over are such faces, and large ones that cut through a wall thinner than
+/// the error.
 ///
 /// Edges are flipped and vertices moved, those that have the most favourable effect on the distances between
-/// the surfaces; fixed vertices, locked borders and the number of faces stay. What little cannot be mended
+/// the surfaces; fixed vertices, locked borders and the number of faces stay. What little cannot be repaired
 /// without doubling the local error stays folded. Vertices on borders that are not locked may move. Flips
 /// give faces other corners: what is stored per wedge does not follow. The bytes of the result do not depend
 /// on the number of threads. \param mesh a decimated \p original, changed in place; vertices that stay keep
-/// their bits \param threads 0: all \pre finite coordinates
-inline UnfoldingReport UnfoldFaces(const MeshView& original, DecimatedMesh& mesh, Boundary boundary,
-                                   int threads, const Progress& progress = {})
+/// their bits \param tree of the original's faces \param threads used as they are
+/// \throws Cancelled \pre finite coordinates
+inline FoldRepairReport RepairFolds(const MeshView& original, const FaceTree& tree, DecimatedMesh& mesh,
+                                    Boundary boundary, int threads, const StageProgress& progress = {})
 {
-    // Cheap mendings first: they often mend a neighbour too.
-    constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
-    // A bound on the time: a face takes milliseconds, and in a shell thinner than the error most are folded.
-    constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
-    constexpr std::size_t kSuspiciousShare = 8;
-    threads = ResolveThreads(threads);
-    UnfoldingReport report;
+    using namespace fold_repair_detail;
+    constexpr std::size_t kSuspiciousShare = 8; // one folded face in so many
+    FoldRepairReport report;
     if (mesh.triangles.empty()) return report;
     std::vector<std::uint8_t> fixed;
     const MeshView simplified = ViewOf(mesh, original, fixed);
-    const SurfaceFrame frame = FrameOf(simplified);
-    const FaceTree tree(original, frame, threads, mesh.inputOrder);
-    std::vector<std::uint32_t> folded = unfold_detail::FoldedFaces(original, tree, mesh, frame, threads);
+    const Frame& frame = tree.frame();
+    std::vector<std::uint32_t> folded = FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
     if (folded.empty()) return report;
-    if (folded.size() > mesh.triangles.size() / kSuspiciousShare &&
-        unfold_detail::HasMixedOrientation(original))
+    if (folded.size() > mesh.triangles.size() / kSuspiciousShare && HasMixedOrientation(original))
         return report;
 
     SurfaceArrays surface = BuildSurfaceArrays(simplified, frame, nullptr, threads);
     MakeRoomForCorners(surface, kFlipRoom);
     const FaceTree simplifiedTree(simplified, frame, threads);
-    Unfolder unfolder(tree, simplifiedTree, surface);
-    constexpr std::size_t kPasses = std::size(kTolerances);
-    std::size_t attempts = kAttempts + mesh.triangles.size() / kFacesPerAttempt;
-    for (std::size_t pass = 0; pass < kPasses; ++pass) {
-        const auto percent = static_cast<int>(100 * pass / kPasses);
-        for (const std::uint32_t f : folded) {
-            if (attempts == 0) break;
-            --attempts;
-            report.cancelled = progress && !progress(percent, "Unfolding faces");
-            if (report.cancelled) return report;
-            unfolder.Mend(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);
-        }
-        folded.insert(folded.end(), unfolder.Changed().begin(), unfolder.Changed().end());
-        std::sort(folded.begin(), folded.end());
-        folded.erase(std::unique(folded.begin(), folded.end()), folded.end());
-        folded.erase(std::remove_if(folded.begin(), folded.end(),
-                                    [&](std::uint32_t f) { return !unfolder.IsFoldedNow(f); }),
-                     folded.end());
-    }
+    FoldRepair repair(tree, simplifiedTree, surface);
+    RunPasses(repair, folded, mesh.triangles.size(), boundary, progress);
     report.after = folded.size();
     WriteBack(surface, frame, mesh);
     return report;

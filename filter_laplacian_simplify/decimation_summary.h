@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "number_text.h"
+#include "results.h"
+#include "vcg_ext/core/measure/report.h"
+
+namespace laplacian_simplify
+{
+
+/// The numbers of a decimation under the ids of the table of results.
+inline Report ToReport(const vcg_ext::DecimationReport& decimation)
+{
+    Report report;
+    report.SetCount("faces_before", decimation.facesBefore);
+    report.SetCount("faces", decimation.faces);
+    report.SetCount("vertices", decimation.vertices);
+    report.Set("target_reached", decimation.targetReached);
+    report.Set("stop_reason", static_cast<int>(decimation.stopReason));
+    if (decimation.distances) {
+        report.Set("hausdorff", decimation.distances->hausdorff);
+        report.Set("rms", decimation.distances->rms);
+        report.Set("feature_rms", decimation.distances->featureRms);
+        report.SetCount("folded", decimation.distances->folded);
+    }
+    if (decimation.stopReason != vcg_ext::StopReason::Cancelled) {
+        report.SetCount("non_manifold_edges", decimation.edges.nonManifold);
+        report.SetCount("boundary_edges", decimation.edges.boundary);
+    }
+    report.Set("seconds", decimation.seconds);
+    return report;
+}
+
+/// Whether a target of \p target faces was reached, and if not, why.
+inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, std::size_t target)
+{
+    const std::string missed = "target of " + CountText(target) + " faces not reached: ";
+    switch (decimation.stopReason) {
+    case vcg_ext::StopReason::Target:
+        return "target reached";
+    case vcg_ext::StopReason::ErrorBound:
+        return missed + "every further collapse would exceed the error bound";
+    case vcg_ext::StopReason::NoLegalCollapse:
+        if (decimation.edges.boundary >
+            2 * decimation.faces) // an STL file: every face has vertices of its own
+            return missed + "most faces are not connected; apply \"Merge Close Vertices\" first";
+        return missed + "no further collapse is possible without damage "
+                        "(flipped faces, non-manifold edges, changes to locked parts)";
+    case vcg_ext::StopReason::Cancelled:
+        return "canceled; the mesh is unchanged";
+    }
+    return {};
+}
+
+/// The numbers of a decimation as a few short lines for the log. They are plain ASCII, because hosts print
+/// them in the encoding of the locale.
+inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decimation, std::size_t target)
+{
+    if (decimation.stopReason == vcg_ext::StopReason::Cancelled) return {StopDescription(decimation, target)};
+    const double percent =
+        100 * static_cast<double>(decimation.faces) / static_cast<double>(decimation.facesBefore);
+    std::vector<std::string> lines;
+    lines.push_back(CountText(decimation.facesBefore) + " -> " + CountText(decimation.faces) + " faces (" +
+                    RoundedText(percent, 3) + " %), " + CountText(decimation.vertices) + " vertices, " +
+                    FixedText(decimation.seconds, 2) + " s; " + StopDescription(decimation, target));
+    if (const auto& distances = decimation.distances)
+        lines.push_back("Distances in percent of the bounding box diagonal: largest (Hausdorff) " +
+                        RoundedText(distances->hausdorff, 4) + ", rms " + RoundedText(distances->rms, 4) +
+                        ", rms at features " + RoundedText(distances->featureRms, 4) +
+                        "; folded faces: " + CountText(distances->folded));
+    lines.push_back("Non-manifold edges: " + CountText(decimation.edges.nonManifold) +
+                    ", boundary edges: " + CountText(decimation.edges.boundary));
+    return lines;
+}
+
+} // namespace laplacian_simplify

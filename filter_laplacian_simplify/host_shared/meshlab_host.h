@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "host_masks.h"
+#include "meshlab_version.h"
+
+namespace laplacian_simplify
+{
+
+/// The Host of host.h in any MeshLab: one run on the current mesh of a document.
+class MeshLabHost
+{
+    MeshDocument& document_;
+    MeshModel* model_;
+    vcg::CallBackPos* callback_;
+    std::function<void(const std::string&)> log_;
+
+  public:
+    using MeshType = CMeshO;
+
+    /// \param callback may be null
+    /// \throws std::invalid_argument if the document has no current mesh
+    MeshLabHost(MeshDocument& document, vcg::CallBackPos* callback,
+                std::function<void(const std::string&)> log)
+        : document_(document), model_(document.mm()), callback_(callback), log_(std::move(log))
+    {
+        if (!model_) throw std::invalid_argument("there is no current mesh");
+    }
+
+    CMeshO& Mesh() { return model_->cm; }
+    void Require(std::uint32_t data) { model_->updateDataMask(HostMask<MeshModel>(data)); }
+    void ContinueOnCopy() { model_ = &AddCopy(document_, *model_, model_->label() + " simplified"); }
+    void GeometryChanged() { UpdateBoxAndNormals(*model_); }
+    void Log(const std::string& line) { log_(line); }
+    bool Progress(int percent, const char* stage) { return !callback_ || callback_(percent, stage); }
+};
+
+} // namespace laplacian_simplify

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "analytic_meshes.h"
+#include "vcg_ext/core/simplify.h"
+
+using namespace vcg_ext;
+using test_meshes::IndexedMesh;
+using test_meshes::View;
+
+namespace
+{
+
+DecimationParameters Target(std::size_t faces, Effort effort = Effort::Balanced)
+{
+    DecimationParameters parameters;
+    parameters.targetFaces = faces;
+    parameters.effort = effort;
+    parameters.threads = 1;
+    return parameters;
+}
+
+std::string Refusal(const MeshView& view, const DecimationParameters& parameters)
+{
+    try {
+        Simplify(view, parameters);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+IndexedMesh Rough()
+{
+    return test_meshes::Noisy(test_meshes::Torus(30, 15), 0.01);
+}
+
+} // namespace
+
+class TestSimplify : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void refusesByNameBeforeItWorks()
+    {
+        const IndexedMesh mesh = test_meshes::Icosphere(1);
+        QCOMPARE(Refusal(View(mesh), Target(0)), std::string("target_faces = 0 is less than 1"));
+        auto parameters = Target(10);
+        parameters.featureWeight = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(Refusal(View(mesh), parameters).find("feature_weight = nan is outside [0, 50]") == 0);
+        parameters = Target(10);
+        parameters.threads = -1;
+        QCOMPARE(Refusal(View(mesh), parameters), std::string("threads = -1 is less than 0"));
+        QCOMPARE(Refusal(View(IndexedMesh{}), Target(10)), std::string("the mesh has no faces"));
+        IndexedMesh endless = mesh;
+        endless.points[3][1] = std::numeric_limits<double>::infinity();
+        QCOMPARE(Refusal(View(endless), Target(10)),
+                 std::string("the coordinates of 1 of 42 vertices are not finite"));
+    }
+
+    /// What only VCG's queue can do is not replaced by something else in silence.
+    void refusesWhatNeedsTheQueue()
+    {
+        const IndexedMesh mesh = test_meshes::Icosphere(1);
+        auto strict = Target(10);
+        strict.order = Order::Strict;
+        for (const auto& parameters : {strict, Target(10, Effort::Best)})
+            QVERIFY(Refusal(View(mesh), parameters).find("vcg_ext/decimate.h") != std::string::npos);
+    }
+
+    void theReportIsAboutTheResult()
+    {
+        const IndexedMesh mesh = Rough();
+        const auto [result, report] = Simplify(View(mesh), Target(120));
+        QCOMPARE(report.facesBefore, mesh.triangles.size());
+        QCOMPARE(report.faces, result.triangles.size());
+        QCOMPARE(report.vertices, result.positions.size());
+        QCOMPARE(report.stopReason, StopReason::Target);
+        QVERIFY(report.targetReached && report.faces <= 120);
+        QCOMPARE(report.edges.boundary, std::size_t{0});
+        const auto values = LaplacianDescriptor(View(mesh));
+        const auto measured = MeasureDistances(View(mesh), result, {values.begin(), values.end()});
+        // one measures in the frame of the result, the other in that of the original: rounding
+        const auto near = [](double a, double b) { return std::fabs(a - b) < 1e-9 * b; };
+        QVERIFY(near(report.distances->hausdorff, measured.hausdorff));
+        QVERIFY(near(report.distances->rms, measured.rms));
+        // the engine's descriptor has rounded otherwise, so a few vertices at the rank of a tenth may differ
+        QVERIFY(std::fabs(report.distances->featureRms / measured.featureRms - 1) < 0.02);
+        QCOMPARE(report.distances->folded, measured.folded);
+    }
+
+    void theMeasurementCanBeLeftOut()
+    {
+        auto parameters = Target(120);
+        const IndexedMesh mesh = Rough();
+        const Simplification with = Simplify(View(mesh), parameters);
+        parameters.measureError = false;
+        const Simplification without = Simplify(View(mesh), parameters);
+        QVERIFY(with.report.distances && !without.report.distances);
+        QVERIFY(with.mesh.positions == without.mesh.positions);
+    }
+
+    void isBitIdenticalForAnyNumberOfThreads()
+    {
+        const IndexedMesh mesh = test_meshes::Noisy(test_meshes::Torus(120, 60), 0.005);
+        auto parameters = Target(1500);
+        const Simplification one = Simplify(View(mesh), parameters);
+        for (const int threads : {2, 3, 7}) {
+            parameters.threads = threads;
+            const Simplification many = Simplify(View(mesh), parameters);
+            QVERIFY(many.mesh.positions == one.mesh.positions);
+            QVERIFY(many.mesh.triangles == one.mesh.triangles);
+            QCOMPARE(many.report.distances->rms, one.report.distances->rms);
+            QCOMPARE(many.report.distances->hausdorff, one.report.distances->hausdorff);
+        }
+    }
+
+    void progressRisesThroughAllStages()
+    {
+        const IndexedMesh mesh = Rough();
+        std::vector<int> percents;
+        auto parameters = Target(120);
+        parameters.progress = [&](int percent, const char*) {
+            percents.push_back(percent);
+            return true;
+        };
+        Simplify(View(mesh), parameters);
+        QVERIFY(std::is_sorted(percents.begin(), percents.end()));
+        QVERIFY(percents.front() >= 0 && percents.back() <= 100);
+        QVERIFY(percents.back() > 50); // the refinement's part
+    }
+
+    /// Wherever the answer is no, it is the last question, and nothing half-done comes back.
+    void stopsAtEveryQuestion()
+    {
+        const IndexedMesh mesh = Rough();
+        int questions = 0;
+        auto parameters = Target(120);
+        parameters.progress = [&](int, const char*) {
+            ++questions;
+            return true;
+        };
+        Simplify(View(mesh), parameters);
+        const int all = questions;
+        QVERIFY(all > 5);
+        for (int last = 1; last <= all; ++last) {
+            questions = 0;
+            parameters.progress = [&](int, const char*) { return ++questions < last; };
+            const Simplification result = Simplify(View(mesh), parameters);
+            QCOMPARE(questions, last);
+            QCOMPARE(result.report.stopReason, StopReason::Cancelled);
+            QCOMPARE(result.report.faces, mesh.triangles.size());
+            QVERIFY(result.mesh.triangles.empty());
+        }
+    }
+
+    void everythingMayVanish()
+    {
+        IndexedMesh segments; // faces that name a vertex twice
+        segments.points = {{0, 0, 0}, {1, 0, 0}};
+        segments.AddTriangle(0, 1, 1);
+        const Simplification result = Simplify(View(segments), Target(1));
+        QCOMPARE(result.report.faces, std::size_t{0});
+        QVERIFY(!result.report.distances);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSimplify)
+#include "test_simplify.moc"

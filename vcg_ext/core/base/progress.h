@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+namespace vcg_ext
+{
+
+/// Called on the calling thread with 0..100 and what is being done; false asks the run to stop.
+using Progress = std::function<bool(int percent, const char* stage)>;
+
+/// What a stage throws when the caller's progress has asked to stop. Nobody's mesh has changed by then.
+struct Cancelled : std::runtime_error {
+    Cancelled() : std::runtime_error("canceled; the mesh is unchanged") {}
+};
+
+/// The progress of one stage: its 0..100 are a part of the caller's.
+class StageProgress
+{
+    Progress caller_; ///< may be empty
+    int from_ = 0, to_ = 100;
+
+    StageProgress(Progress caller, int from, int to) : caller_(std::move(caller)), from_(from), to_(to) {}
+
+  public:
+    StageProgress() = default;
+    explicit StageProgress(Progress caller) : caller_(std::move(caller)) {}
+
+    /// The stage from \p from to \p to percent of this one.
+    StageProgress Part(int from, int to) const
+    {
+        const int length = to_ - from_;
+        return {caller_, from_ + from * length / 100, from_ + to * length / 100};
+    }
+
+    /// \throws Cancelled where the caller asks to stop
+    void operator()(int percent, const char* stage) const
+    {
+        if (caller_ && !caller_(from_ + percent * (to_ - from_) / 100, stage)) throw Cancelled();
+    }
+};
+
+} // namespace vcg_ext

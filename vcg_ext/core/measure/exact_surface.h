@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/geometry/vector.h"
+#include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/core/parameters.h"
+#include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/build_surface.h"
+
+namespace vcg_ext
+{
+
+/// The faces of a mesh for distances in double precision. Its tree, in single precision, says which faces may
+/// be the closest; those are then measured. Everything is in the frame of the tree. Queries may run on
+/// several threads.
+class ExactSurface
+{
+    const MeshView& view_;
+    const FaceTree& tree_;
+    double slack_;
+
+    double Distance2ToFace(std::size_t f, const Vector3<double>& p) const
+    {
+        const Vector3<double> a = Corner(f, 0);
+        return ClosestOnTriangle(p - a, Corner(f, 1) - a, Corner(f, 2) - a).distance2;
+    }
+    static Vector3<float> Rounded(const Vector3<double>& p)
+    {
+        return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    }
+
+  public:
+    /// \param tree of the view's faces \param slack RoundingOf the two meshes that are compared
+    /// \pre all outlive this object; at least one face
+    ExactSurface(const MeshView& view, const FaceTree& tree, float slack)
+        : view_(view), tree_(tree), slack_(static_cast<double>(slack))
+    {
+    }
+
+    std::size_t FaceCount() const { return view_.faceCount; }
+    Vector3<double> Vertex(std::size_t v) const
+    {
+        const std::array<double, 3> p = view_.Position(v);
+        const Frame& frame = tree_.frame();
+        return {(p[0] - frame.center[0]) * frame.scale, (p[1] - frame.center[1]) * frame.scale,
+                (p[2] - frame.center[2]) * frame.scale};
+    }
+    Vector3<double> Corner(std::size_t f, std::size_t k) const { return Vertex(view_.triangles[3 * f + k]); }
+    /// 2 area times the unit normal.
+    Vector3<double> AreaVector(std::size_t f) const
+    {
+        const Vector3<double> a = Corner(f, 0);
+        return Cross(Corner(f, 1) - a, Corner(f, 2) - a);
+    }
+
+    /// What one thread needs for its queries. Queries that follow each other should be close to each other.
+    struct Search {
+        std::vector<FaceTree::Candidate> found;
+        std::optional<std::uint32_t> last; ///< the closest face of the query before
+    };
+
+    /// Squared distance of \p p to the surface.
+    double Distance2(const Vector3<double>& p, Search& search) const
+    {
+        FindClosest(p, search);
+        double nearest2 = std::numeric_limits<double>::infinity();
+        for (const FaceTree::Candidate& candidate : search.found) {
+            const double distance2 = Distance2ToFace(candidate.face, p);
+            if (!(distance2 < nearest2)) continue;
+            nearest2 = distance2;
+            search.last = candidate.face;
+        }
+        return nearest2;
+    }
+
+    /// Whether the face closest to \p p is turned by more than 90 degrees against \p direction. Of several
+    /// that are equally close, as on both sides of an edge, one that is not is enough.
+    bool FacesAwayFrom(const Vector3<double>& p, const Vector3<double>& direction, Search& search) const
+    {
+        constexpr double kTie = 1 + 1e-9; // of squared distances in double precision
+        constexpr double kZero2 = 1e-18;  // 1e-12 of the diagonal, squared
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        double along2 = kInfinity, away2 = kInfinity;
+        FindClosest(p, search);
+        for (const FaceTree::Candidate& candidate : search.found) {
+            double& side2 = Dot(AreaVector(candidate.face), direction) < 0 ? away2 : along2;
+            const double distance2 = Distance2ToFace(candidate.face, p);
+            if (distance2 < std::min(along2, away2)) search.last = candidate.face;
+            side2 = std::min(side2, distance2);
+        }
+        return away2 * kTie + kZero2 < along2;
+    }
+
+  private:
+    void FindClosest(const Vector3<double>& p, Search& search) const
+    {
+        double limit2 = std::numeric_limits<float>::max();
+        if (search.last) {
+            const double reach = std::sqrt(Distance2ToFace(*search.last, p)) + slack_;
+            limit2 = std::min(limit2, reach * reach);
+        }
+        tree_.FindClosest(Rounded(p), static_cast<float>(slack_), static_cast<float>(limit2), search.found);
+    }
+};
+
+/// How much single precision can be wrong, in the frame, about which face is the closest: 16 units in the
+/// last place of the largest coordinate of the vertices on faces.
+inline float RoundingOf(const MeshView& a, const MeshView& b, const Frame& frame)
+{
+    double largest = 0;
+    for (const MeshView* view : {&a, &b})
+        for (std::size_t k = 0; k < 3 * view->faceCount; ++k) {
+            const std::array<double, 3> p = view->Position(view->triangles[k]);
+            for (std::size_t i = 0; i < 3; ++i)
+                largest = std::max(largest, std::abs((p[i] - frame.center[i]) * frame.scale));
+        }
+    return static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
+}
+
+} // namespace vcg_ext

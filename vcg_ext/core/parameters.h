@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "vcg_ext/core/base/progress.h"
+
+namespace vcg_ext
+{
+
+/// How open borders are treated.
+enum class Boundary {
+    Free,     ///< like any other edge
+    Preserve, ///< planes perpendicular to the border keep its shape
+    Lock      ///< border vertices neither move nor disappear
+};
+
+/// Quality/speed trade-off.
+enum class Effort {
+    Fast,     ///< collapse only
+    Balanced, ///< collapse, then refine
+    Best      ///< collapse in the order of the measured error, then refine
+};
+
+/// Collapse algorithm.
+enum class Order {
+    Sweeps, ///< the parallel engine on arrays
+    Strict  ///< VCG's queue (LocalOptimization), one thread
+};
+
+enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancelled = 3 };
+
+/// What a decimation does. The defaults are those of the filter.
+struct DecimationParameters {
+    std::size_t targetFaces = 0; ///< at least 1; at most so many faces remain, if that can be reached
+    double featureWeight = 2;    ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
+    Effort effort = Effort::Balanced;
+    Boundary boundary = Boundary::Preserve;
+    bool preserveTopology = false; ///< full link condition: handles and holes stay
+    Order order = Order::Sweeps;
+    int threads = 0;          ///< 0: all; the result does not depend on it
+    bool measureError = true; ///< fill DecimationReport::distances
+    Progress progress;        ///< may be empty
+};
+
+} // namespace vcg_ext
