@@ -26,7 +26,7 @@ inline Simplification SimplifyWeighted(const MeshView& view, const WeightedParam
     stages.collapseEnds = stages.repairBegins;
     return RunPipeline(view, parameters, stages,
                        [&](const MeshView& mesh, KeptForLater, const StageProgress& stage) {
-                           return ToSurface(mesh, DecimateWeighted(mesh, weighted, stage), {}, 1);
+                           return ToSurface(mesh, DecimateWeighted(mesh, weighted, stage), false, 1);
                        });
 }
 

@@ -22,8 +22,8 @@ namespace vcg_ext
 {
 
 /// The outcome of a queue-ordered collapse as the stages behind it expect it.
-/// \param kept original: both surfaces' lists are built, for the refinement
-inline CollapsedSurface ToSurface(const MeshView& view, OrderedDecimation decimation, KeptForLater kept,
+/// \param keepOriginal both surfaces' lists are built, for the refinement \pre then it has a descriptor
+inline CollapsedSurface ToSurface(const MeshView& view, OrderedDecimation decimation, bool keepOriginal,
                                   int threads)
 {
     CollapsedSurface surface;
@@ -42,13 +42,13 @@ inline CollapsedSurface ToSurface(const MeshView& view, OrderedDecimation decima
         const MeshView collapsed = ViewOf(mesh, view, fixed);
         surface.simplified = BuildSurfaceArrays(collapsed, surface.frame, nullptr, threads);
     }
-    if (kept.original) {
+    if (keepOriginal) {
         std::vector<float> weights(view.vertexCount);
         for (std::size_t v = 0; v < weights.size(); ++v) weights[v] = std::exp(2 * decimation.descriptor[v]);
         surface.original = BuildSurfaceArrays(view, surface.frame, weights.data(), threads);
     }
     surface.positions = std::move(mesh.positions);
-    if (kept.descriptor && view.guidance == nullptr) surface.descriptor = std::move(decimation.descriptor);
+    surface.descriptor = std::move(decimation.descriptor);
     return surface;
 }
 
@@ -56,8 +56,10 @@ inline CollapsedSurface ToSurface(const MeshView& view, OrderedDecimation decima
 inline CollapsedSurface CollapseInOrder(const MeshView& view, const DecimationParameters& parameters,
                                         KeptForLater kept, const StageProgress& progress)
 {
-    return ToSurface(view, DecimateOrdered(view, parameters, progress), kept,
-                     ResolveThreads(parameters.threads));
+    CollapsedSurface surface = ToSurface(view, DecimateOrdered(view, parameters, progress), kept.original,
+                                         ResolveThreads(parameters.threads));
+    if (!kept.descriptor || view.guidance != nullptr) surface.descriptor.clear();
+    return surface;
 }
 
 } // namespace vcg_ext

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/base/progress.h"
+#include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/guided.h"
@@ -72,7 +72,7 @@ void CheckLength(const std::vector<Value>& values, const MeshView& view, const c
 } // namespace ordered_detail
 
 /// Decimates by the guided collapse in the order of its cost, or of measured error where the effort is Best.
-/// \pre finite coordinates, indices below vertexCount, parameters in their ranges
+/// \throws Cancelled \pre finite coordinates, indices below vertexCount, parameters in their ranges
 inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationParameters& parameters,
                                          const StageProgress& progress = {})
 {
@@ -83,11 +83,11 @@ inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationP
     guided.preserveTopology = parameters.preserveTopology;
     guided.fixedVertices = mesh.FixedVertices(parameters.boundary);
     const auto decimated = [&](auto method) {
-        std::vector<float> descriptor(method.Descriptors().begin(), method.Descriptors().end());
-        OrderedDecimation result =
+        std::vector<float> descriptor = method.Descriptor();
+        auto decimation =
             ordered_detail::Decimated(mesh, std::move(method), parameters.targetFaces, progress);
-        result.descriptor = std::move(descriptor);
-        return result;
+        decimation.descriptor = std::move(descriptor);
+        return decimation;
     };
     if (parameters.effort == Effort::Best)
         return decimated(MeasuredCollapse<OrderedMesh>(mesh.mesh(), std::move(guided)));
@@ -112,7 +112,7 @@ inline std::vector<double> AbsoluteCurvature(const std::vector<double>& mean,
 /// Decimates in the order of f = g e^{lambda l}. MeshView::fixedVertices stay, its guidance is not read.
 /// \pre finite coordinates
 /// \throws std::invalid_argument where a vector of the parameters does not fit the view, or lambda is not a
-///         number of 0 or more
+///         number of 0 or more; Cancelled
 inline OrderedDecimation DecimateWeighted(const MeshView& view, WeightedParameters parameters,
                                           const StageProgress& progress = {})
 {

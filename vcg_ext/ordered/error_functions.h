@@ -56,10 +56,10 @@ inline std::optional<CollapseError> QuadricError(const CollapseSurroundings& edg
     if (!edge.keptStays) {
         const Vector3d middle = .5 * edge.kept;
         const Vector3d slope = -1.0 * (quadric.matrix * middle + quadric.linear);
-        const Vector3d pulled = SolveRegularized(quadric.matrix, slope, MidpointPull(quadric.matrix));
+        const double pull = MidpointPull(quadric.matrix);
+        const Vector3d pulled = SolveRegularized(quadric.matrix, slope, pull);
         // One step of refinement: where the quadric decides, nothing is left of the pull but its square.
-        x = middle + pulled +
-            SolveRegularized(quadric.matrix, slope - quadric.matrix * pulled, MidpointPull(quadric.matrix));
+        x = middle + pulled + SolveRegularized(quadric.matrix, slope - quadric.matrix * pulled, pull);
     }
     const std::optional<double> worst2 = WorstQuality2(edge.stayingFaces, x);
     if (!worst2) return std::nullopt;

@@ -13,6 +13,7 @@
 #include "vcg_ext/core/collapse/placement.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/legality.h"
+#include "vcg_ext/ordered/mesh.h"
 #include "vcg_ext/ordered/queue.h"
 #include "vcg_ext/ordered/stars.h"
 
@@ -49,8 +50,8 @@ class GuidedCollapse
     using FaceType = typename Mesh::FaceType;
     using CoordType = typename Mesh::CoordType;
     using Ring = std::vector<RingEdge<Mesh>>;
-    using EdgeEnd = vcg_ext::EdgeEnd<double>;
-    using PlacedEdge = vcg_ext::PlacedEdge<double>;
+    using End = EdgeEnd<double>;
+    using Placed = PlacedEdge<double>;
 
     Mesh& mesh_;
     GuidedParameters parameters_;
@@ -61,7 +62,7 @@ class GuidedCollapse
     std::vector<StarFace> starFaces_; ///< scratch of Assess
 
     std::size_t IndexOf(const VertexType& vertex) const { return vcg::tri::Index(mesh_, &vertex); }
-    const EdgeEnd& EndOf(const VertexType& vertex) const { return stars_.end(IndexOf(vertex)); }
+    const End& EndOf(const VertexType& vertex) const { return stars_.end(IndexOf(vertex)); }
 
     /// The factor of a cost with the new vertex at \p x. \pre starFaces_ are gathered
     std::optional<double> PenaltyAt(const Vector3d& x) const
@@ -72,12 +73,12 @@ class GuidedCollapse
     }
 
     /// Where the best place is refused one of these may do, so that targets stay within reach.
-    std::optional<PlacedEdge> CheapestOther(const EdgeEnd& a, const EdgeEnd& b) const
+    std::optional<Placed> CheapestOther(const End& a, const End& b) const
     {
-        std::optional<PlacedEdge> cheapest;
+        std::optional<Placed> cheapest;
         const Vector3d half = HalfEdgeVector(a, b);
         for (const Vector3d& offset : OtherOffsets(half)) {
-            PlacedEdge placed = PlacedAt(a, b, half, offset);
+            Placed placed = PlaceAt(a, b, half, offset);
             const std::optional<double> penalty = PenaltyAt(placed.position);
             if (!penalty) continue;
             placed.cost *= *penalty;
@@ -96,6 +97,14 @@ class GuidedCollapse
         std::iota(parent_.begin(), parent_.end(), 0U);
     }
 
+    /// l of every vertex.
+    std::vector<float> Descriptor() const
+    {
+        std::vector<float> l(parent_.size());
+        for (std::size_t v = 0; v < l.size(); ++v) l[v] = static_cast<float>(stars_.descriptor(v));
+        return l;
+    }
+
     static constexpr bool IsDirected() { return false; }
 
     bool IsFixed(const VertexType& vertex) const
@@ -108,7 +117,7 @@ class GuidedCollapse
     /// The cost without the faces around the edge, which can but raise it.
     double Estimate(const VertexType& removed, const VertexType& kept) const
     {
-        const EdgeEnd &a = EndOf(removed), &b = EndOf(kept);
+        const End &a = EndOf(removed), &b = EndOf(kept);
         const Vector3d half = HalfEdgeVector(a, b);
         return EdgeCost(a, b, half, IsFixed(kept) ? half : OptimalOffset(a, b, half));
     }
@@ -116,8 +125,8 @@ class GuidedCollapse
     std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept, double)
     {
         const StarAreas<double> areas = stars_.Gather(removed, kept, starFaces_);
-        const EdgeEnd &a = EndOf(removed), &b = EndOf(kept);
-        std::optional<PlacedEdge> placed = Placed(
+        const End &a = EndOf(removed), &b = EndOf(kept);
+        std::optional<Placed> placed = PlaceEdge(
             a, b, IsFixed(kept), GuidedCollapse::Estimate(removed, kept), DBL_MAX, [&] { return areas; },
             [this](const Vector3d& x) { return PenaltyAt(x); });
         if (!placed && !IsFixed(kept)) placed = CheapestOther(a, b);
@@ -144,9 +153,6 @@ class GuidedCollapse
         moved_[into] = 1;
         return PointOf<CoordType>(Position(into));
     }
-
-    /// l of every vertex as it is now.
-    const std::vector<double>& Descriptors() const { return stars_.descriptors(); }
 
     void Refresh(VertexType& kept, const Ring& ring) { stars_.Refresh(kept, ring); }
 

@@ -46,7 +46,7 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
     Vector3d measuredPlacement_{};
 
     /// e^{2 l}: what a sample counts beside its area.
-    double Importance(const VertexType& vertex) const
+    double SampleImportance(const VertexType& vertex) const
     {
         return std::exp(kImportance * this->stars_.descriptor(this->IndexOf(vertex)));
     }
@@ -89,8 +89,9 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
             const FaceType& face = mesh.face[f];
             if (face.IsD()) continue;
             const auto corner = [&](int k) { return this->EndOf(*face.cV(k)).position; };
-            const double importance =
-                (Importance(*face.cV(0)) + Importance(*face.cV(1)) + Importance(*face.cV(2))) / 3;
+            const double importance = (SampleImportance(*face.cV(0)) + SampleImportance(*face.cV(1)) +
+                                       SampleImportance(*face.cV(2))) /
+                                      3;
             samples_.AddCentroid(static_cast<std::uint32_t>(f), corner(0), corner(1), corner(2), importance);
         }
         for (VertexType& vertex : mesh.vert) {
@@ -100,7 +101,7 @@ class MeasuredCollapse : public GuidedCollapse<Mesh>
                 area += this->stars_.DoubleArea(*corner.F()) / 6;
             if (vertex.VFp() != nullptr)
                 samples_.AddVertex(static_cast<std::uint32_t>(vcg::tri::Index(mesh, vertex.VFp())),
-                                   this->EndOf(vertex).position, area * Importance(vertex));
+                                   this->EndOf(vertex).position, area * SampleImportance(vertex));
         }
     }
 

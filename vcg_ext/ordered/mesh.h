@@ -15,8 +15,6 @@
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
-#include "vcg_ext/core/mesh/build_surface.h"
-#include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
@@ -51,35 +49,9 @@ struct OrderedDecimation {
     /// For every input vertex the vertex of the result that it became part of; kNoVertex where it has no
     /// face.
     std::vector<std::uint32_t> root;
-    std::vector<float> descriptor; ///< l of every input vertex before the first collapse, in [0, 1]
+    /// l in [0, 1] of every input vertex, which has guided the collapse; empty after DecimateWeighted.
+    std::vector<float> descriptor;
     static constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
-};
-
-/// The frame of the engine around a VCG mesh: its points there, and back.
-class MeshFrame
-{
-    Frame frame_;
-
-  public:
-    template <class Mesh>
-    explicit MeshFrame(const Mesh& mesh) : frame_(FrameOf(MeshArrays<Mesh>(mesh).View()))
-    {
-    }
-
-    template <class CoordType>
-    Vector3d Into(const CoordType& p) const
-    {
-        const auto along = [&](int k) {
-            const auto axis = static_cast<std::size_t>(k);
-            return (static_cast<double>(p[k]) - frame_.center[axis]) * frame_.scale;
-        };
-        return {along(0), along(1), along(2)};
-    }
-    std::array<double, 3> OutOf(const Vector3d& p) const
-    {
-        return {p.x * frame_.unit + frame_.center[0], p.y * frame_.unit + frame_.center[1],
-                p.z * frame_.unit + frame_.center[2]};
-    }
 };
 
 /// \p p as a point of VCG.

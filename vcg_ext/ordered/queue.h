@@ -267,7 +267,7 @@ class CollapseRun : public vcg::BaseParameterClass
         }
     }
 
-    /// Collapses until at most \p targetFaces faces are left, no legal collapse is, or \p progress says no.
+    /// Collapses until at most \p targetFaces faces are left or no legal collapse is. \throws Cancelled
     StopReason Decimate(std::size_t targetFaces, const StageProgress& progress)
     {
         vcg::tri::RequirePerVertexMark(mesh_);

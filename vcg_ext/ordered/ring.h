@@ -15,7 +15,7 @@
 namespace vcg_ext
 {
 
-using Vector3d = vcg_ext::Vector3<double>;
+using Vector3d = Vector3<double>;
 
 /// An edge at a vertex and the faces on it.
 template <class Mesh>

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/star_sums.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/build_surface.h"
 #include "vcg_ext/core/parameters.h"
-#include "vcg_ext/ordered/mesh.h"
+#include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/ring.h"
 
 namespace vcg_ext
@@ -31,16 +33,16 @@ class GuidedStars
     using FaceType = typename Mesh::FaceType;
     using Ring = std::vector<RingEdge<Mesh>>;
     using Corner = vcg::face::VFIterator<FaceType>;
-    using EdgeEnd = vcg_ext::EdgeEnd<double>;
-    using Matrix = vcg_ext::SymmetricMatrix3<double>;
-    using Importance = vcg_ext::Importance<double>;
+    using End = EdgeEnd<double>;
+    using Matrix = SymmetricMatrix3<double>;
+    using Weight = Importance<double>;
 
     Mesh& mesh_;
-    MeshFrame frame_;
+    Frame frame_;
     bool bordersCount_;
     double lambda_ = 0;
     double descriptorScale_ = 0; ///< 1 / the descriptor that counts as 1; 0: the descriptor does not count
-    std::vector<EdgeEnd> ends_;
+    std::vector<End> ends_;
     std::vector<double> descriptor_;      ///< l
     std::vector<Vector3d> scaledNormals_; ///< of the faces
     std::vector<std::uint8_t> atBorder_;  ///< has or had an edge with one face
@@ -52,7 +54,7 @@ class GuidedStars
     {
         return scaledNormals_[vcg::tri::Index(mesh_, face)];
     }
-    Importance ImportanceAt(std::size_t v) const { return {descriptor_[v], ends_[v].weight}; }
+    Weight ImportanceAt(std::size_t v) const { return {descriptor_[v], ends_[v].weight}; }
 
     void UpdateNormal(const FaceType& face)
     {
@@ -123,7 +125,7 @@ class GuidedStars
         descriptor_[v] = StarDescriptor(sums);
     }
 
-    void SetImportance(std::size_t v, const Importance& importance)
+    void SetImportance(std::size_t v, const Weight& importance)
     {
         ends_[v].history = importance.weight / ends_[v].weight * ends_[v].history;
         ends_[v].weight = importance.weight;
@@ -152,11 +154,14 @@ class GuidedStars
   public:
     /// \pre vertex-face adjacency is up to date; \p mesh outlives the stars
     GuidedStars(Mesh& mesh, const Guidance& guidance, Boundary boundary)
-        : mesh_(mesh), frame_(mesh), bordersCount_(boundary != Boundary::Free), ends_(mesh.vert.size()),
+        : mesh_(mesh), bordersCount_(boundary != Boundary::Free), ends_(mesh.vert.size()),
           descriptor_(mesh.vert.size(), 0), scaledNormals_(mesh.face.size()), atBorder_(mesh.vert.size(), 0),
           ring_(mesh)
     {
-        for (std::size_t v = 0; v < ends_.size(); ++v) ends_[v].position = frame_.Into(mesh.vert[v].cP());
+        const MeshArrays<Mesh> arrays(mesh);
+        frame_ = FrameOf(arrays.View());
+        for (std::size_t v = 0; v < ends_.size(); ++v)
+            ends_[v].position = frame_.Into<double>(arrays.View().Position(v));
         for (const FaceType& face : mesh.face)
             if (!face.IsD()) UpdateNormal(face);
         for (VertexType& vertex : mesh.vert)
@@ -164,9 +169,8 @@ class GuidedStars
         Weigh(guidance);
     }
 
-    const MeshFrame& frame() const { return frame_; }
-    const EdgeEnd& end(std::size_t v) const { return ends_[v]; }
-    const std::vector<double>& descriptors() const { return descriptor_; }
+    const Frame& frame() const { return frame_; }
+    const End& end(std::size_t v) const { return ends_[v]; }
     double descriptor(std::size_t v) const { return descriptor_[v]; }
     double DoubleArea(const FaceType& face) const { return Dot(NormalOf(&face), NormalOf(&face)); }
 
@@ -195,8 +199,8 @@ class GuidedStars
     /// Moves what is known of \p removed into \p kept, which goes to \p placement.
     void Merge(std::size_t removed, std::size_t kept, const Vector3d& placement)
     {
-        EdgeEnd& into = ends_[kept];
-        const Importance merged = Merged(ImportanceAt(removed), ImportanceAt(kept), 0.0, lambda_);
+        End& into = ends_[kept];
+        const Weight merged = MergedImportance(ImportanceAt(removed), ImportanceAt(kept), 0.0, lambda_);
         into.history = MergedHistory(ends_[removed], into, placement);
         into.weight = merged.weight;
         into.position = placement;
@@ -212,8 +216,8 @@ class GuidedStars
         for (const RingEdge<Mesh>& edge : ring) RebuildStar(*edge.neighbour);
         if (!(descriptorScale_ > 0)) return;
         const double measured = std::min(1.0, StarDescriptor(SumStar(kept)) * descriptorScale_);
-        const Importance own = ImportanceAt(IndexOf(&kept));
-        SetImportance(IndexOf(&kept), Merged(own, own, measured, lambda_));
+        const Weight own = ImportanceAt(IndexOf(&kept));
+        SetImportance(IndexOf(&kept), MergedImportance(own, own, measured, lambda_));
     }
 };
 

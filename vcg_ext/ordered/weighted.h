@@ -12,6 +12,9 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/star_sums.h"
+#include "vcg_ext/core/geometry/frame.h"
+#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/error_functions.h"
 #include "vcg_ext/ordered/legality.h"
 #include "vcg_ext/ordered/mesh.h"
@@ -43,12 +46,12 @@ class WeightedCollapse
     using FaceType = typename Mesh::FaceType;
     using CoordType = typename Mesh::CoordType;
     using Corner = vcg::face::VFIterator<FaceType>;
-    using Quadric = vcg_ext::CentredQuadric<double>;
+    using Quadric = CentredQuadric<double>;
 
     Mesh& mesh_;
     WeightedCollapseParameters parameters_;
     const ErrorFunctionRow& function_;
-    MeshFrame frame_;
+    Frame frame_;
     CollapseLegality<Mesh> legality_;
     std::vector<Vector3d> positions_;
     std::vector<Quadric> quadrics_; ///< about the vertex; empty where the error function does without
@@ -130,11 +133,14 @@ class WeightedCollapse
     /// \pre vertex-face adjacency is up to date; \p mesh outlives the method
     WeightedCollapse(Mesh& mesh, WeightedCollapseParameters parameters)
         : mesh_(mesh), parameters_(std::move(parameters)), function_(RowOf(parameters_.errorFunction)),
-          frame_(mesh), legality_(mesh), positions_(mesh.vert.size()), parent_(mesh.vert.size()),
+          legality_(mesh), positions_(mesh.vert.size()), parent_(mesh.vert.size()),
           moved_(mesh.vert.size(), 0)
     {
         std::iota(parent_.begin(), parent_.end(), 0U);
-        for (std::size_t v = 0; v < positions_.size(); ++v) positions_[v] = frame_.Into(mesh.vert[v].cP());
+        const MeshArrays<Mesh> arrays(mesh);
+        frame_ = FrameOf(arrays.View());
+        for (std::size_t v = 0; v < positions_.size(); ++v)
+            positions_[v] = frame_.Into<double>(arrays.View().Position(v));
         if (!function_.usesQuadric) return;
         quadrics_.resize(mesh.vert.size());
         RingEdges<Mesh> ring(mesh);

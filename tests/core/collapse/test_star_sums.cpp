@@ -104,10 +104,10 @@ class TestStarSums : public QObject
     {
         const auto a = ImportanceOf(0.25, 4.0), b = ImportanceOf(0.5, 4.0);
         QCOMPARE(b.weight, std::exp(2.0));
-        QCOMPARE(Merged(a, b, 0.0, 4.0).weight, b.weight);
-        QCOMPARE(Merged(b, a, 0.4, 4.0).descriptor, 0.5);
-        QCOMPARE(Merged(a, b, 0.75, 4.0).descriptor, 0.75);
-        QCOMPARE(Merged(a, b, 0.75, 4.0).weight, std::exp(3.0));
+        QCOMPARE(MergedImportance(a, b, 0.0, 4.0).weight, b.weight);
+        QCOMPARE(MergedImportance(b, a, 0.4, 4.0).descriptor, 0.5);
+        QCOMPARE(MergedImportance(a, b, 0.75, 4.0).descriptor, 0.75);
+        QCOMPARE(MergedImportance(a, b, 0.75, 4.0).weight, std::exp(3.0));
     }
 };
 

@@ -73,7 +73,13 @@ class TestExactSurface : public QObject
         needles.AddTriangle(0, 1, 1); // a segment
         needles.AddTriangle(5, 5, 5); // a point
         const auto far = test_meshes::Moved(test_meshes::Icosphere(3), 1, 1e-3, {1e4, -2e4, 3e4});
-        for (const auto& mesh : {needles, far, test_meshes::Grid(9, 1)}) {
+        test_meshes::IndexedMesh fan; // more faces at one vertex than candidates
+        fan.points.push_back({0, 0, 0});
+        for (std::uint32_t i = 1; i <= 300; ++i) {
+            fan.points.push_back({std::cos(0.02 * i), std::sin(0.02 * i), 0.1 * std::sin(0.3 * i)});
+            if (i > 1) fan.AddTriangle(0, i - 1, i);
+        }
+        for (const auto& mesh : {needles, far, test_meshes::Grid(9, 1), fan}) {
             const Searched searched(mesh);
             ExactSurface::Search search;
             for (const Vector3<double>& p : Queries(searched.surface)) {

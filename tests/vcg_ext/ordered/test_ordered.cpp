@@ -417,7 +417,7 @@ void TestOrdered::measuredOrderLowersTheError()
                     const Point& q = result.points[t[k]];
                     return Vector3<float>{float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
                 };
-                const Vector3 a = corner(0);
+                const Vector3<float> a = corner(0);
                 nearest = std::min(
                     nearest,
                     double(ClosestOnTriangle(Vector3<float>{} - a, corner(1) - a, corner(2) - a).distance2));

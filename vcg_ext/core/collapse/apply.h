@@ -144,7 +144,7 @@ class CollapseWriter
             state_.ratchetRecomputes
                 ? std::min(1.0f, StarDescriptor(workspace_.star.sums) * state_.descriptorScale)
                 : 0.0f;
-        const Importance<float> merged = Merged(a, b, measured, state_.featureWeight);
+        const Importance<float> merged = MergedImportance(a, b, measured, state_.featureWeight);
         state_.descriptor[survivor] = merged.descriptor;
         state_.vertices[survivor].value[VertexRecord::kWeight] = merged.weight;
         return merged.weight / std::max(a.weight, b.weight);

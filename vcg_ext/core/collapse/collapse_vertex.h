@@ -62,7 +62,7 @@ class VertexVisitor
     {
         const EdgeEnd<float> a = state_.vertices[removed].End(), b = state_.vertices[survivor].End();
         const bool fixed = state_.Has(survivor, kFixedVertex);
-        const auto placed = Placed(
+        const auto placed = PlaceEdge(
             a, b, fixed, attempt.cost, step.threshold, [&] { return AreasOf(state_, workspace_.star); },
             [&](const Vector3<float>& x) { return EvaluateRing(state_, x, workspace_.star); });
         if (placed) {

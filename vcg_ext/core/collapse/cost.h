@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "vcg_ext/core/geometry/symmetric_matrix.h"
+
 namespace vcg_ext
 {
 
@@ -40,7 +41,6 @@ constexpr double kDescriptorPercentile = 0.999;
 constexpr float kPoorQuality = 0.03f;
 /// A surviving face must not turn farther than this cosine: 78 degrees.
 constexpr float kTurnCosine = 0.2f;
-
 /// Two millionths of the diagonal, in the frame of 1024 a diagonal: errors below this are rounding. An input
 /// in float has a thirtieth of it already, and every placement that is computed adds as much.
 constexpr float kNoDistance = 2e-3f;
@@ -89,7 +89,7 @@ struct EdgeEnd {
     CentredQuadric<Real> history; ///< A: the weighted planes of every original face that ended up here
 };
 
-/// What keeps a minimiser of \p m near the edge's midpoint.
+/// What keeps a minimizer of \p m near the edge's midpoint.
 template <class Real>
 [[gnu::always_inline]] inline Real MidpointPull(const SymmetricMatrix3<Real>& m)
 {

@@ -21,8 +21,8 @@ struct PlacedEdge {
 
 /// The new vertex at \p offset from the midpoint, before anybody looks at the ring.
 template <class Real>
-PlacedEdge<Real> PlacedAt(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, const Vector3<Real>& half,
-                          const Vector3<Real>& offset)
+PlacedEdge<Real> PlaceAt(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, const Vector3<Real>& half,
+                         const Vector3<Real>& offset)
 {
     return {offset + half + a.position, EdgeCost(a, b, half, offset)};
 }
@@ -33,8 +33,8 @@ PlacedEdge<Real> PlacedAt(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, const 
 /// \param cost of the edge by OptimalOffset
 /// \param penaltyAt penaltyAt(position): QualityPenalty of the ring, nothing where a face turns too far
 template <class Real, class PenaltyAt>
-std::optional<PlacedEdge<Real>> PlacedAtAnEnd(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, Real cost,
-                                              const PenaltyAt& penaltyAt)
+std::optional<PlacedEdge<Real>> PlaceAtAnEnd(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, Real cost,
+                                             const PenaltyAt& penaltyAt)
 {
     const Real rounding = RoundingCost(a, b);
     if (cost > rounding) return std::nullopt;
@@ -53,17 +53,17 @@ std::optional<PlacedEdge<Real>> PlacedAtAnEnd(const EdgeEnd<Real>& a, const Edge
 /// \param cost of the edge by OptimalOffset, or by the offset to b where that is fixed
 /// \param affordable where the edge costs more without the ring, the ring is not looked at
 /// \param areasOf areasOf(): the StarAreas of both ends
-/// \param penaltyAt as of PlacedAtAnEnd. Where the result is a place, it was asked about that place last
+/// \param penaltyAt as of PlaceAtAnEnd. Where the result is a place, it was asked about that place last
 template <class Real, class AreasOf, class PenaltyAt>
-std::optional<PlacedEdge<Real>> Placed(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, bool bIsFixed,
-                                       Real cost, Real affordable, const AreasOf& areasOf,
-                                       const PenaltyAt& penaltyAt)
+std::optional<PlacedEdge<Real>> PlaceEdge(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, bool bIsFixed,
+                                          Real cost, Real affordable, const AreasOf& areasOf,
+                                          const PenaltyAt& penaltyAt)
 {
     PlacedEdge<Real> placed{b.position, cost};
     if (!bIsFixed) {
-        if (const auto atAnEnd = PlacedAtAnEnd(a, b, cost, penaltyAt)) return atAnEnd;
+        if (const auto atAnEnd = PlaceAtAnEnd(a, b, cost, penaltyAt)) return atAnEnd;
         const Vector3<Real> half = HalfEdgeVector(a, b);
-        placed = PlacedAt(a, b, half, VolumeAwareOffset(a, b, half, areasOf()));
+        placed = PlaceAt(a, b, half, VolumeAwareOffset(a, b, half, areasOf()));
     }
     if (placed.cost > affordable) return placed;
     const std::optional<Real> penalty = penaltyAt(placed.position);

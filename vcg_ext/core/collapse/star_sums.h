@@ -138,7 +138,8 @@ Importance<Real> ImportanceOf(Real descriptor, Real lambda)
 /// The ratchet: what two vertices merge into is as important as either of them, and more so where its new
 /// star shows more. \param measured l of that star; 0 where it is not measured
 template <class Real>
-Importance<Real> Merged(const Importance<Real>& a, const Importance<Real>& b, Real measured, Real lambda)
+Importance<Real> MergedImportance(const Importance<Real>& a, const Importance<Real>& b, Real measured,
+                                  Real lambda)
 {
     const Real descriptor = Max(a.descriptor, b.descriptor);
     if (measured > descriptor) return ImportanceOf(measured, lambda);

@@ -12,22 +12,23 @@ namespace vcg_ext
 /// Length of the bounding box's diagonal in the frame.
 constexpr double kFrameDiagonal = 1024;
 
-/// The similarity between a mesh's own coordinates and the frame of single precision in which surfaces are
-/// compared: the box of the mesh lies about its origin.
+/// The similarity between a mesh's own coordinates and the frame in which surfaces are collapsed and
+/// compared: the box of the mesh lies about its origin. Single precision is enough there.
 struct Frame {
     std::array<double, 3> center{0, 0, 0};
     double scale = 1; ///< frame units per unit of the mesh, > 0
     double unit = 1;  ///< 1 / scale: the length in the mesh of one frame unit
 
     /// From coordinates of the mesh.
-    Vector3<float> Into(const std::array<double, 3>& p) const
+    template <class Real = float>
+    Vector3<Real> Into(const std::array<double, 3>& p) const
     {
-        return {static_cast<float>((p[0] - center[0]) * scale),
-                static_cast<float>((p[1] - center[1]) * scale),
-                static_cast<float>((p[2] - center[2]) * scale)};
+        return {static_cast<Real>((p[0] - center[0]) * scale), static_cast<Real>((p[1] - center[1]) * scale),
+                static_cast<Real>((p[2] - center[2]) * scale)};
     }
     /// To coordinates of the mesh.
-    std::array<double, 3> OutOf(const Vector3<float>& p) const
+    template <class Real>
+    std::array<double, 3> OutOf(const Vector3<Real>& p) const
     {
         return {static_cast<double>(p.x) * unit + center[0], static_cast<double>(p.y) * unit + center[1],
                 static_cast<double>(p.z) * unit + center[2]};

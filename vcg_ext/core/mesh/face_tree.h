@@ -169,12 +169,16 @@ class FaceTree
                 nearest2 = here2;
                 const float reach = std::sqrt(here2) + slack;
                 limit2 = std::min(limit2, reach * reach);
+                if (found.size() == kMaxCandidates) DropFar(found, limit2);
             }
             for (std::size_t lane = 0; lane < kLanes && found.size() < kMaxCandidates; ++lane)
                 if (distance2[lane] <= limit2) found.push_back({distance2[lane], indices[lane]});
             if (found.size() < kMaxCandidates) return limit2;
             DropFar(found, limit2);
-            return found.size() < kMaxCandidates ? limit2 : -1; // too many are equally far
+            // Too many are equally far, as around a vertex of high valence: only a nearer one counts any
+            // more.
+            constexpr float kNearer = 1 - 1e-6F, kNothing = 1e-12F;
+            return found.size() < kMaxCandidates ? limit2 : nearest2 > kNothing ? kNearer * nearest2 : -1;
         });
         DropFar(found, limit2);
     }
