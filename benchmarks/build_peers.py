@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
-PROJECT = HERE.parent.parent
+PROJECT = HERE.parent
 FLAGS = ["-std=c++17", "-O3", "-DNDEBUG", "-fPIC", "-shared"]
 OWN_FLAGS = ["-fopenmp", "-ffp-contract=off", "-fno-math-errno"]  # as in cmake/compiler.cmake
 EIGEN = ["-isystem", "/usr/include/eigen3"]

@@ -46,6 +46,7 @@ step() {
     ) >"$log" 2>&1
     status=$?
     [[ $flags != *e* ]] || set -e
+    if [[ -n ${times-} ]]; then printf '%d\t%s\n' $((SECONDS - start)) "$title" >>"$times"; fi
     if ((status == 0)); then
         printf '%5d s\n' $((SECONDS - start)) >&2
     else
@@ -83,8 +84,8 @@ finish() {
     mv "$1" "$2"
 }
 
-for part in prerequisites debian hosts python build; do
-    # shellcheck source=/dev/null
-    . "$top/scripts/lib/$part.sh"
-done
-unset part
+. "$top/scripts/lib/prerequisites.sh"
+. "$top/scripts/lib/debian.sh"
+. "$top/scripts/lib/hosts.sh"
+. "$top/scripts/lib/python.sh"
+. "$top/scripts/lib/build.sh"

@@ -12,7 +12,9 @@ archive_keys=/usr/share/keyrings/debian-archive-keyring.gpg
 # Prints the addresses of the archives that may be Debian's own, most likely first.
 archive_candidates() {
     local release
+    # shellcheck source=/dev/null
     release=$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-stable}")
+    # shellcheck disable=SC2016 # apt fills these in
     apt-get indextargets --format '$(CREATED_BY) $(COMPONENT) $(RELEASE) $(REPO_URI)' |
         awk -v release="$release" '$1 == "Packages" && $2 == "main" &&
             $3 ~ "^(" release "|bookworm|trixie|forky|sid|oldstable|stable|testing|unstable)$" && !seen[$4]++ {print $4}'

@@ -55,10 +55,10 @@ ensure_program() {
 # fetch_program VERSION FOLDER SUITES PACKAGE...: also puts the release's loader beside the programs, because
 # MeshLab finds its plugins from the folder of the running executable, which then is the loader.
 fetch_program() {
-    local version=$1 folder=$2 system=$2/root suites=$3 loader
+    local version=$1 folder=$2 system=$2/root suite_names=$3 loader
     shift 3
-    # shellcheck disable=SC2086
-    fetch_packages "$version" "$folder" $suites -- "$@"
+    # shellcheck disable=SC2086 # several words
+    fetch_packages "$version" "$folder" $suite_names -- "$@"
     loader=$(find "$system" -path '*/lib/*-linux-gnu*' -name 'ld-linux-*.so.*' -type f -print -quit)
     cp "$loader" "$system/usr/bin/ld-meshlab.so"
     check_libraries "$system"

@@ -3,10 +3,12 @@
 # shellcheck shell=bash
 
 # Packages of the distribution that the project needs: the only part that wants root.
-build_packages=(g++ cmake ninja-build ccache qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
+build_packages=(g++ cmake ninja-build qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
     python3 python3-venv libgl1 libopengl0 ca-certificates dpkg-dev xz-utils)
-# libomp: the omp.h that clang-tidy reads; the one of gcc is not on its way.
-test_packages=(git clang-format-14 clang-tidy-14 libomp-14-dev xvfb xauth openbox xdotool imagemagick)
+# shellcheck disable=SC2034 # not every script tests
+# libomp: OpenMP of Clang, whose omp.h clang-tidy reads as well.
+test_packages=(git ccache clang-14 clang-format-14 clang-tidy-14 libomp-14-dev shellcheck xvfb xauth openbox xdotool
+    imagemagick)
 
 # Prints those of the given packages that are not installed.
 missing_packages() {

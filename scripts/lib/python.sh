@@ -4,29 +4,51 @@
 
 # The project's Python: a virtual environment in the cache folder with the pinned packages of others, and the
 # project's own package in build/python of this checkout, so that two checkouts do not get into each other's way.
+# What checks the project (pytest, mypy and so on) is put into the environment only where it is asked for.
 
 python_environment=$cache/python
 python_requirements=$top/scripts/requirements.txt
+development_requirements=$top/scripts/requirements-development.txt
 project_package=$top/build/python
 
 python_packages_folder() { printf '%s\n' "$python_environment"/lib/python3.*/site-packages; }
 
-# ensure_python: the environment with exactly the pinned packages.
+# ensure_python: the environment with the pinned packages that running needs.
 ensure_python() {
     local recipe
-    recipe="1 $(/usr/bin/python3 -V) $(sha256sum <"$python_requirements")"
+    recipe="2 $(/usr/bin/python3 -V) $(sha256sum <"$python_requirements")"
     is_complete "$python_environment" "$recipe" && return 0
-    say "Installing with pip into $python_environment:" \
-        "$(sed -n 's/^\([a-z][^ ]*\)==\([^ ]*\).*/\1 \2,/p' "$python_requirements" | tr '\n' ' ')"
+    announce_packages "$python_requirements"
     step python "Python packages" create_python_environment
     printf '%s\n' "$recipe" >"$python_environment/complete"
+}
+
+# ensure_development: and those that check the project.
+ensure_development() {
+    local stamp=$python_environment/development recipe
+    ensure_python
+    recipe=$(sha256sum <"$development_requirements")
+    [[ -f $stamp && $(<"$stamp") == "$recipe" ]] && return 0
+    announce_packages "$development_requirements"
+    step python-development "Python packages that check the project" install_pinned "$development_requirements"
+    printf '%s\n' "$recipe" >"$stamp"
+}
+
+# Says which packages of a list of pinned ones are about to be installed.
+announce_packages() {
+    say "Installing with pip into $python_environment:" \
+        "$(sed -n 's/^\([a-z][^ ]*\)==\([^ ]*\).*/\1 \2,/p' "$1" | tr '\n' ' ')"
 }
 
 create_python_environment() {
     rm -rf "$python_environment"
     /usr/bin/python3 -m venv "$python_environment"
+    install_pinned "$python_requirements"
+}
+
+install_pinned() {
     "$python_environment/bin/python" -m pip --disable-pip-version-check install --no-input --only-binary :all: \
-        --require-hashes -r "$python_requirements"
+        --require-hashes -r "$1"
 }
 
 # ensure_package: laplacian_simplify with the plugin for pymeshlab inside, built again where a source is newer.
