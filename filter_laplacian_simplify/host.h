@@ -8,7 +8,7 @@
 //   MeshType& Mesh()          the current mesh
 //   void Require(data)        makes sure that the mesh has the MeshData that is about to be written
 //   void ContinueOnCopy()     a new layer with a copy of the mesh becomes the current one; the original stays
-//   void GeometryChanged()    after positions or faces of the mesh changed: box and normals
+//   void GeometryChanged()    after positions or faces of the mesh changed: box and normals of length 1
 //   void Log(line)            a line for the user, of less than 4096 characters
 //   bool Progress(percent, stage)  false asks to stop; main thread only
 //

@@ -33,7 +33,7 @@ class MeshLabHost
     CMeshO& Mesh() { return model_->cm; }
     void Require(std::uint32_t data) { model_->updateDataMask(HostMask<MeshModel>(data)); }
     void ContinueOnCopy();
-    void GeometryChanged() { model_->UpdateBoxAndNormals(); }
+    void GeometryChanged();
     void Log(const std::string& line) { log_(line); }
     bool Progress(int percent, const char* stage) { return !callback_ || callback_(percent, stage); }
 };

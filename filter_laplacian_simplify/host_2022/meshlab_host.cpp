@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host_2022/meshlab_host.h"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include <vcg/complex/algorithms/update/normal.h>
 
 namespace laplacian_simplify
 {
@@ -12,6 +15,17 @@ MeshLabHost::MeshLabHost(MeshDocument& document, vcg::CallBackPos* callback,
     : document_(document), model_(document.mm()), callback_(callback), log_(std::move(log))
 {
     if (!model_) throw std::invalid_argument("there is no current mesh");
+    // Writers keep polygons only where the mesh is said to have some, which not every reader says.
+    const auto hasDiagonal = [](const CFaceO& face) { return !face.IsD() && face.IsAnyF(); };
+    if (std::any_of(model_->cm.face.begin(), model_->cm.face.end(), hasDiagonal))
+        model_->updateDataMask(MeshModel::MM_POLYGONAL);
+}
+
+void MeshLabHost::GeometryChanged()
+{
+    model_->updateBoxAndNormals();
+    // MeshLab leaves them as long as the sum of the angles around the vertex.
+    vcg::tri::UpdateNormal<CMeshO>::NormalizePerVertex(model_->cm);
 }
 
 void MeshLabHost::ContinueOnCopy()
