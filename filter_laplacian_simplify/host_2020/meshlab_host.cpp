@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host_2020/meshlab_host.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <vcg/complex/append.h>
@@ -16,10 +15,6 @@ MeshLabHost::MeshLabHost(MeshDocument& document, vcg::CallBackPos* callback,
     : document_(document), model_(document.mm()), callback_(callback), log_(std::move(log))
 {
     if (!model_) throw std::invalid_argument("there is no current mesh");
-    // Writers keep polygons only where the mesh is said to have some, which not every reader says.
-    const auto hasDiagonal = [](const CFaceO& face) { return !face.IsD() && face.IsAnyF(); };
-    if (std::any_of(model_->cm.face.begin(), model_->cm.face.end(), hasDiagonal))
-        model_->updateDataMask(MeshModel::MM_POLYGONAL);
 }
 
 void MeshLabHost::GeometryChanged()
