@@ -8,9 +8,9 @@
 //   MeshType& Mesh()          the current mesh
 //   void Require(data)        makes sure that the mesh has the MeshData that is about to be written
 //   void ContinueOnCopy()     makes a new layer with a copy of the mesh the current one; the original stays
-//   void GeometryChanged()    updates box and normals; to be called after positions or faces have changed
-//   void Log(line)            shows a line of fewer than 4096 characters to the user
-//   bool Progress(percent, stage)  false asks to stop; main thread only
+//   void GeometryChanged()    updates box and normals, of length 1; to be called after positions or faces
+//   changed void Log(line)            shows a line of fewer than 4096 characters to the user bool
+//   Progress(percent, stage)  false asks to stop; main thread only
 //
 // A filter function first checks, then computes, and only then changes the mesh. What it throws is a
 // std::exception whose text is a sentence for the user; the mesh is then unchanged.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,35 +11,13 @@
 #include <vcg/complex/algorithms/update/topology.h>
 
 #include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/polygon_edges.h"
 
 namespace vcg_ext
 {
 
 namespace decimation_detail
 {
-
-/// An edge keeps its faux flag (diagonal of a polygon) only where both of its faces still carry it.
-template <class Mesh>
-void ClearHalfFauxEdges(Mesh& mesh)
-{
-    std::vector<std::uint64_t> faux;
-    const auto key = [&](const typename Mesh::FaceType& face, int k) {
-        const std::uint64_t a = vcg::tri::Index(mesh, face.cV0(k)), b = vcg::tri::Index(mesh, face.cV1(k));
-        return std::min(a, b) << 32 | std::max(a, b);
-    };
-    for (const auto& face : mesh.face)
-        for (int k = 0; k < 3; ++k)
-            if (!face.IsD() && face.IsF(k)) faux.push_back(key(face, k));
-    if (faux.empty()) return;
-    std::sort(faux.begin(), faux.end());
-    for (auto& face : mesh.face) {
-        for (int k = 0; k < 3; ++k) {
-            if (face.IsD() || !face.IsF(k)) continue;
-            const auto [first, last] = std::equal_range(faux.begin(), faux.end(), key(face, k));
-            if (last - first != 2) face.ClearF(k);
-        }
-    }
-}
 
 /// Adjacency pointers would be remapped through deleted elements: dropped before, built again after.
 template <class Mesh>
@@ -64,9 +41,9 @@ void ForgetAdjacency(Mesh& mesh)
 } // namespace decimation_detail
 
 /// Puts a result into the mesh it was made from: survivors keep their attributes, flags and selection,
-/// everything else that was on a face goes; the mesh is compact afterwards and adjacency is rebuilt where
-/// the mesh has it. Normals and the box are the caller's.
-/// \pre mesh has not changed since Decimate
+/// everything else that was on a face goes; polygons stay where all of their faces stayed as they were; the
+/// mesh is compact afterwards and adjacency is rebuilt where the mesh has it. Normals and the box are the
+/// caller's. \pre mesh has not changed since Decimate
 template <class Mesh>
 void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result)
 {
@@ -107,7 +84,7 @@ void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result)
     }
     for (std::size_t v = 0; v < wasUsed.size(); ++v)
         if (wasUsed[v] && !staysUsed[v]) Allocator::DeleteVertex(mesh, mesh.vert[v]);
-    decimation_detail::ClearHalfFauxEdges(mesh);
+    ClearFauxEdgesOutsidePolygons(mesh);
     Allocator::CompactEveryVector(mesh);
     if (vcg::tri::HasFFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::FaceFace(mesh);
     if (vcg::tri::HasVFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::VertexFace(mesh);

@@ -8,6 +8,9 @@
 #include <string>
 #include <utility>
 
+#include <vcg/complex/complex.h>
+#include <vcg/complex/algorithms/update/normal.h>
+
 #include "host_masks.h"
 #include "meshlab_version.h"
 
@@ -37,7 +40,12 @@ class MeshLabHost
     CMeshO& Mesh() { return model_->cm; }
     void Require(std::uint32_t data) { model_->updateDataMask(HostMask<MeshModel>(data)); }
     void ContinueOnCopy() { model_ = &AddCopy(document_, *model_, model_->label() + " simplified"); }
-    void GeometryChanged() { UpdateBoxAndNormals(*model_); }
+    void GeometryChanged()
+    {
+        UpdateBoxAndNormals(*model_);
+        // MeshLab leaves them as long as the sum of the angles around the vertex.
+        vcg::tri::UpdateNormal<CMeshO>::NormalizePerVertex(model_->cm);
+    }
     void Log(const std::string& line) { log_(line); }
     bool Progress(int percent, const char* stage) { return !callback_ || callback_(percent, stage); }
 };

@@ -10,8 +10,10 @@ from .child import Stage
 from .files.errors import MeshFileError
 from .files.output_formats import output_format
 from .files.reading import read
-from .files.writing import save
+from .files.writing import keeps_polygons, save
 from .plugin import load
+
+_DECIMATIONS = ("simplify", "weighted")  # which leave hardly a polygon
 
 
 def run(
@@ -49,6 +51,9 @@ def run(
         raise MeshFileError(f"{shown_source} cannot be used: {error}") from None
     mesh_set.set_verbosity(False)
     stage("writing")
-    lost = save(mesh_set, Path(staged), output_format(staged), shown=shown_target, textures=reading.textures)
+    row = output_format(staged)
+    lost = save(mesh_set, Path(staged), row, shown=shown_target, textures=reading.textures)
+    if reading.has_polygons and function not in _DECIMATIONS and not keeps_polygons(row, mesh_set.current_mesh()):
+        lost.append("polygons are written as triangles")
     notes = [f"{shown_source}: {note}" for note in reading.notes] + [f"{shown_target}: {note}" for note in lost]
     return {"report": report.to_dict(), "notes": notes}

@@ -98,3 +98,23 @@ def drop_degenerate(data: MeshData) -> None:
     if dropped:
         data.select_faces(sound)
         data.notes.append(f"{counted(dropped, 'face')} with the same vertex at two corners left out")
+
+
+def clear_doubtful_diagonals(data: MeshData) -> None:
+    """Leaves diagonals only where exactly two triangles, which run through them in opposite directions, have them.
+
+    Around what is left, parts of polygons without a vertex twice, MeshLab's writers find their way.
+    """
+    if data.faux is None or not data.faux.any():
+        return
+    start, end = data.triangles.reshape(-1), np.roll(data.triangles, -1, axis=1).reshape(-1)
+    is_faux = ((data.faux[:, None] >> np.arange(3)) & 1).reshape(-1).astype(bool)
+    edge = np.minimum(start, end) * len(data.vertices) + np.maximum(start, end)
+    order = np.argsort(edge, kind="stable")
+    edge, forward, of_polygon = edge[order], (start < end)[order], is_faux[order]
+    first = np.flatnonzero(np.concatenate([[True], edge[1:] != edge[:-1]]))
+    pair = first[np.diff(first, append=len(edge)) == 2]
+    pair = pair[(forward[pair] != forward[pair + 1]) & of_polygon[pair] & of_polygon[pair + 1]]
+    kept = np.zeros(len(edge), dtype=bool)
+    kept[order[pair]] = kept[order[pair + 1]] = True
+    data.faux = (kept.reshape(-1, 3) << np.arange(3)).sum(axis=1).astype(np.uint8)

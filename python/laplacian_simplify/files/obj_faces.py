@@ -79,7 +79,9 @@ def _corners(text: bytes) -> Integers | None:
     if slashes != (width - 1) * len(starts) or width > 3 or not _evenly(text, starts, width - 1):
         return _mixed_corners(text)
     doubled = text.count(b"//")
-    if not doubled and not re.search(rb"/(?=[ \t\n]|$)", text[-4:]) and not any(b"/" + end in text for end in _ENDS):
+    if text.endswith(b"/") or any(b"/" + end in text for end in _ENDS):
+        return _mixed_corners(text)
+    if not doubled:
         numbers = _whole_numbers(text.translate(_SLASH_TO_BLANK), len(starts) * width)
         return None if numbers is None else numbers.reshape(-1, width)
     if width == 3 and doubled == len(starts):  # v//vn

@@ -93,9 +93,9 @@ def _vertices(lines: Lines, first: int, count: int, kind: "re.Match[str]") -> Me
     if kind["n"] and count:
         data.vertex_normals = numbers[starts[:, None] + np.arange(normals_at, normals_at + 3)]
     if kind["c"]:
-        real = lines.have(b".", first, first + count)
+        real = lines.words_with(b".", first, first + count)
         size = np.full(count, 4) if colors_at < normals_at else sizes - least
-        data.vertex_colors = _colors(numbers, starts + colors_at, size, real & (colors_at > normals_at))
+        data.vertex_colors = _colors(numbers, starts + colors_at, size, real)
     return data
 
 
@@ -119,7 +119,7 @@ def _faces(lines: Lines, first: int, count: int, data: MeshData) -> None:
         data.notes.append(f"{counted(few, 'face')} with fewer than three corners left out")
     cut = triangulate(data.vertices, indices, corners)
     data.triangles, data.faux = cut.of_corners(indices), cut.faux
-    colors = _colors(numbers, starts + 1 + corners, sizes - 1 - corners, lines.have(b".", first, first + count))
+    colors = _colors(numbers, starts + 1 + corners, sizes - 1 - corners, lines.words_with(b".", first, first + count))
     data.face_colors = None if colors is None else cut.of_polygons(colors)
 
 
@@ -140,7 +140,7 @@ def _numbers(lines: Lines, first: int, last: int) -> Floats:
 
 
 def _colors(numbers: Floats, places: Integers, sizes: Integers, real: NDArray[np.bool_]) -> NDArray[np.uint8] | None:
-    """Three or four numbers a row: bytes, or from 0 to 1 where one has a point; white where a row has none.
+    """Three or four numbers a row: bytes, or from 0 to 1 where a word has a point; white where a row has none.
 
     A single number, a place in a color map, says nothing without the map and counts as none.
     """
@@ -150,6 +150,7 @@ def _colors(numbers: Floats, places: Integers, sizes: Integers, real: NDArray[np
     colors = np.full((len(sizes), 4), 255.0)
     for size in (3, 4):
         rows = np.flatnonzero(sizes == size)
-        scale = np.where(real[rows], 255.0, 1.0)[:, None]
-        colors[rows[:, None], np.arange(size)] = numbers[places[rows, None] + np.arange(size)] * scale
+        words = places[rows, None] + np.arange(size)
+        scale = np.where(real[words].any(axis=1), 255.0, 1.0)[:, None]
+        colors[rows[:, None], np.arange(size)] = numbers[words] * scale
     return np.asarray(np.clip(np.nan_to_num(colors), 0, 255), dtype=np.uint8)

@@ -18,6 +18,8 @@ from .triangulate import Triangulation, triangulate
 _FAUX_FLAGS = 0x1C0000  # where VCG keeps the three bits of MeshData.faux in the property "flags"
 _FAUX_SHIFT = 18
 
+_NONE = Lists(np.empty(0), np.empty(0, np.int64))  # stands for a column of numbers that is not there
+
 # What MeshLab's reader takes as it stands, in little-endian files of triangles: everything else is written anew for it.
 _PLAIN_VERTEX = {
     **dict.fromkeys(("x", "y", "z", "nx", "ny", "nz", "quality"), ("f4", "f8")),
@@ -40,23 +42,29 @@ def read_ply(source: Source) -> MeshData | None:
     header = parse_header(content)
     if header.element("range_grid"):
         return None
-    tables = read_tables(content, header)
-    if "vertex" not in tables:
+    vertex = header.element("vertex")
+    if vertex is None:
         raise DamageError("header", "it has no element 'vertex'", "the file is damaged, or holds no mesh")
-    data = _vertices(tables["vertex"])
-    _add_faces(data, tables)
+    if {"x", "y", "z"} - {row.name for row in vertex.properties if not row.count_type}:
+        raise DamageError("header", "element 'vertex' lacks one of the numbers x, y, z", "the file is damaged")
+    tables = read_tables(content, header)
+    data = _vertices(tables["vertex"], vertex)
+    _add_faces(data, tables, header)
     use_textures(data, header.textures, source.folder)
-    if "edge" in tables and header.element("edge").rows:  # type: ignore[union-attr]
-        data.notes.append(f"{counted(header.element('edge').rows, 'edge')} left out")  # type: ignore[union-attr]
+    edges = header.element("edge")
+    if edges and edges.rows:
+        data.notes.append(f"{counted(edges.rows, 'edge')} left out")
     data.as_it_stands = _is_plain(header, tables) and source.is_the_file_itself
     return data
 
 
-def _vertices(columns: Columns) -> MeshData:
-    data = MeshData(_numbers(columns, "x", "y", "z", wanted=True), np.empty((0, 3), np.int64))  # type: ignore[arg-type]
+def _vertices(columns: Columns, element: Element) -> MeshData:
+    positions = _numbers(columns, "x", "y", "z")
+    assert positions is not None  # the header has them
+    data = MeshData(positions, np.empty((0, 3), np.int64))
     check_finite(data.vertices)
     data.vertex_normals = _numbers(columns, "nx", "ny", "nz")
-    data.vertex_colors = _colors(columns)
+    data.vertex_colors = _colors(columns, element)
     for name in ("quality", "confidence"):
         if name in columns and data.vertex_quality is None:
             data.vertex_quality = _numbers(columns, name)[:, 0]  # type: ignore[index]
@@ -66,44 +74,49 @@ def _vertices(columns: Columns) -> MeshData:
     return data
 
 
-def _numbers(columns: Columns, *names: str, wanted: bool = False) -> Floats | None:
+def _numbers(columns: Columns, *names: str) -> Floats | None:
     """Columns side by side; nothing where one is missing."""
     picked = [columns.get(name) for name in names]
     if any(column is None or isinstance(column, Lists) for column in picked):
-        if wanted:
-            raise DamageError("header", f"element 'vertex' lacks one of the numbers {', '.join(names)}")
         return None
     return np.stack([np.asarray(column, dtype=np.float64) for column in picked], axis=1)
 
 
-def _colors(columns: Columns) -> Colors | None:
+def _colors(columns: Columns, element: Element) -> Colors | None:
     """Four bytes a row, from whatever numbers the file has."""
+    types = {row.name: row.type for row in element.properties}
+
+    def as_bytes(name: str) -> NDArray[np.uint8]:
+        return _as_bytes(np.asarray(columns[name]), types[name])
+
     for prefix in ("", "diffuse_"):
         names = [prefix + name for name in ("red", "green", "blue", "alpha")]
         if all(name in columns and not isinstance(columns[name], Lists) for name in names[:3]):
-            picked: list[NDArray[Any]] = [_as_bytes(columns[name]) for name in names[:3]]
-            alpha = columns.get(names[3])
+            picked = [as_bytes(name) for name in names[:3]]
             opaque = np.full(len(picked[0]), 255, np.uint8)
-            picked.append(opaque if alpha is None or isinstance(alpha, Lists) else _as_bytes(alpha))
+            picked.append(as_bytes(names[3]) if not isinstance(columns.get(names[3], _NONE), Lists) else opaque)
             return np.stack(picked, axis=1)
-    if "intensity" in columns and not isinstance(columns["intensity"], Lists):
-        gray = _as_bytes(np.asarray(columns["intensity"], dtype=np.float64))
+    if not isinstance(columns.get("intensity", _NONE), Lists):
+        gray = as_bytes("intensity")
         return np.stack([gray, gray, gray, np.full_like(gray, 255)], axis=1)
     return None
 
 
-def _as_bytes(column: Any) -> NDArray[np.uint8]:
+def _as_bytes(column: NDArray[Any], type_name: str) -> NDArray[np.uint8]:
     """Colors as they may be: bytes, two bytes, or real numbers from 0 to 1."""
     if column.dtype == np.uint8:
-        return np.asarray(column)
-    if column.dtype.kind in "iu":
-        return np.asarray(np.clip(column // (257 if column.max(initial=0) > 255 else 1), 0, 255), dtype=np.uint8)
-    numbers = np.nan_to_num(np.asarray(column, dtype=np.float64))
-    return np.asarray(np.clip(numbers * (255 if numbers.max(initial=0) <= 1 else 1), 0, 255), dtype=np.uint8)
+        return column
+    numbers = np.nan_to_num(column.astype(np.float64))
+    if type_name == "u2":
+        numbers = numbers // 257
+    elif type_name[0] == "f" and numbers.max(initial=0) <= 1:
+        numbers = numbers * 255
+    return np.asarray(np.clip(numbers, 0, 255), dtype=np.uint8)
 
 
-def _add_faces(data: MeshData, tables: dict[str, Columns]) -> None:
-    if "face" not in tables:
+def _add_faces(data: MeshData, tables: dict[str, Columns], header: Header) -> None:
+    element = header.element("face")
+    if element is None:
         if "tristrips" in tables:
             data.triangles = _strips(tables["tristrips"], len(data.vertices))
         return
@@ -118,7 +131,7 @@ def _add_faces(data: MeshData, tables: dict[str, Columns]) -> None:
     cut = triangulate(data.vertices, indices, lists.counts)
     data.triangles = cut.of_corners(indices)
     data.faux = cut.faux
-    colors = _colors({name: column for name, column in columns.items() if name != "intensity"})
+    colors = _colors({name: column for name, column in columns.items() if name != "intensity"}, element)
     data.face_colors = None if colors is None else cut.of_polygons(colors)
     quality = _numbers(columns, "quality")
     data.face_quality = None if quality is None else cut.of_polygons(quality[:, 0])

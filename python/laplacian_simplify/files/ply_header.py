@@ -69,7 +69,8 @@ def parse_header(data: bytes) -> Header:
     """
     start = 3 if data.startswith(b"\xef\xbb\xbf") else 0  # some editors put a byte order mark before a text
     if not data.startswith(b"ply", start):
-        raise DamageError("line 1", f"{shortened(data[start : start + 20])} instead of 'ply'", "this is no PLY file")
+        first = re.split(rb"[\r\n]", data[start : start + 20])[0]
+        raise DamageError("line 1", f"{shortened(first)} instead of 'ply'", "this is no PLY file")
     end = re.compile(rb"(?:^|[\r\n])end_header[ \t]*(\r\n|\n|\r|$)").search(data, start, start + _LONGEST_HEADER)
     if not end:
         raise DamageError("header", "it has no line 'end_header'", "the file is cut off, or no PLY file")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from .errors import DamageError
 from .formats import reader_of
 from .handover import to_mesh_set
-from .mesh_data import MeshData, Texture, drop_degenerate
+from .mesh_data import MeshData, Texture, clear_doubtful_diagonals, drop_degenerate
 from .others import read_by_meshlab
 from .source import Source, open_source
 
@@ -35,6 +35,7 @@ class Reading:
     notes: list[str]
     """What could not be taken over, a sentence each."""
     textures: list[Texture]
+    has_polygons: bool
 
 
 def read_mesh(path: str | os.PathLike[str]) -> "pymeshlab.MeshSet":
@@ -55,7 +56,8 @@ def read(path: str | os.PathLike[str]) -> Reading:
     with open_source(path) as source:
         data = _checked(source)
         mesh_set = to_mesh_set(data, source)
-        return Reading(mesh_set, data.notes, [_lasting(texture, source) for texture in data.textures])
+        has_polygons = data.faux is not None and bool(data.faux.any())
+        return Reading(mesh_set, data.notes, [_lasting(texture, source) for texture in data.textures], has_polygons)
 
 
 def _lasting(texture: Texture, source: Source) -> Texture:
@@ -74,4 +76,5 @@ def _checked(source: Source) -> MeshData:
     except MemoryError:
         raise DamageError("", "there is not enough memory for it") from None
     drop_degenerate(data)
+    clear_doubtful_diagonals(data)
     return data

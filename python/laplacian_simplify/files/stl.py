@@ -163,11 +163,15 @@ def _misplaced(text: bytes) -> DamageError:
         if is_number(word[0]) if wanted is number else word[0] == wanted:
             expected = (expected + 1) % len(facet)
             continue
+        if wanted is not number and wanted.startswith(word[0]) and not text[word.end() :].strip():
+            return _ends_within(wanted)
         what, remedy = f"{shortened(word[0])} where {shortened(wanted)} has to stand", ""
         if wanted is number and b"," in word[0]:
             what, remedy = not_a_number(word[0])
         return DamageError(f"line {line_of(text, word.start())}", what.replace("'a number'", "a number"), remedy)
-    if expected:
-        what = f"it ends within a facet, before {shortened(facet[expected])}".replace("'a number'", "a number")
-        return DamageError("end of file", what, "it is cut off")
-    return DamageError("", "it has no facets that can be read")
+    return _ends_within(facet[expected]) if expected else DamageError("", "it has no facets that can be read")
+
+
+def _ends_within(wanted: bytes) -> DamageError:
+    what = f"it ends within a facet, before {shortened(wanted)}".replace("'a number'", "a number")
+    return DamageError("end of file", what, "it is cut off")

@@ -81,10 +81,11 @@ class Lines:
         """Words on each of the lines first..last-1."""
         return self._sizes[first:last]
 
-    def have(self, mark: bytes, first: int, last: int) -> NDArray[np.bool_]:
-        """Which of the lines first..last-1 have this character."""
+    def words_with(self, mark: bytes, first: int, last: int) -> NDArray[np.bool_]:
+        """Which words on the lines first..last-1 have this character."""
         start, end = self.span(first, last)
+        words = self._words[(self._words >= start) & (self._words < end)]
         places = np.flatnonzero(np.frombuffer(self.data, np.uint8)[start:end] == mark[0]) + start
-        found = np.zeros(last - first, dtype=bool)
-        found[np.searchsorted(self._ends[first:last], places)] = True
+        found = np.zeros(len(words), dtype=bool)
+        found[np.searchsorted(words, places, side="right") - 1] = True
         return found

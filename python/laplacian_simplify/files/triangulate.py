@@ -49,11 +49,16 @@ def triangulate(vertices: Floats, indices: Integers, counts: Integers) -> Triang
     total = int(np.maximum(counts - 2, 0).sum())
     local = np.empty((total, 3), dtype=np.int64)  # corners counted within the polygon
     polygon = np.repeat(np.arange(len(counts)), np.maximum(counts - 2, 0))
+    twice = np.zeros(len(counts), dtype=bool)  # polygons that have a vertex twice, which are written as triangles
     for size in np.unique(counts[counts >= 3]):
         rows = np.flatnonzero(counts == size)
-        points = vertices[indices[starts[rows, None] + np.arange(size)]]
+        corners = indices[starts[rows, None] + np.arange(size)]
+        ordered = np.sort(corners, axis=1)
+        twice[rows] = (ordered[:, 1:] == ordered[:, :-1]).any(axis=1)
+        points = vertices[corners]
         local[first[rows, None] + np.arange(size - 2)] = _cut(points, rows)
-    return Triangulation(_faux(local, counts[polygon]), local + starts[polygon, None], polygon)
+    faux = np.where(twice[polygon], 0, _faux(local, counts[polygon])).astype(np.uint8)
+    return Triangulation(faux, local + starts[polygon, None], polygon)
 
 
 def _faux(local: Integers, size: Integers) -> NDArray[np.uint8]:

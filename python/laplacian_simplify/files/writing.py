@@ -74,9 +74,7 @@ def save(
         if row.in_own_process:
             _save_in_own_process(mesh_set, path, row, shown, expected)
         else:
-            options: dict[str, Any] = {}
-            if row.extension == "obj" and not _holds_single_precision(vertices):
-                options["save_polygonal"] = False  # MeshLab rounds the vertices of polygons
+            options = _options_for_obj(mesh) if row.extension == "obj" else {}
             if row.extension == "off" and mesh.has_vertex_color():
                 options["save_vertex_normal"] = False  # MeshLab writes both in an order that no reader expects
             with_own_folder(_save, mesh_set, path, options)
@@ -89,6 +87,18 @@ def save(
         check_room(path, shown)
         raise MeshFileError(f"{shown} cannot be written: .{row.extension} keeps {found} of {expected} faces")
     return notes
+
+
+def keeps_polygons(row: OutputFormat, mesh: "pymeshlab.Mesh") -> bool:
+    """Whether a mesh of polygons is written as one."""
+    return "polygons" in row.keeps and not (row.extension == "obj" and _options_for_obj(mesh))
+
+
+def _options_for_obj(mesh: "pymeshlab.Mesh") -> dict[str, Any]:
+    """MeshLab loses the texture coordinates of polygons and rounds their vertices."""
+    if mesh.has_wedge_tex_coord() or not _holds_single_precision(mesh.vertex_matrix()):
+        return {"save_polygonal": False}
+    return {}
 
 
 def _notes(row: OutputFormat, names: list[str]) -> list[str]:
