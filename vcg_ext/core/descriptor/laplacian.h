@@ -13,7 +13,7 @@
 #include "vcg_ext/core/descriptor/one_ring_descriptors.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/float8.h"
-#include "vcg_ext/core/descriptor/vertex_normals.h"
+#include "vcg_ext/core/descriptor/vertex_normal.h"
 #include "vcg_ext/core/descriptor/vertex_sums.h"
 
 namespace vcg_ext
@@ -46,9 +46,9 @@ inline Float4 FourDescriptors(const VertexSums* sums, Int4& regular)
 }
 
 /// Takes the descriptors of the vertices [begin, end) from their sums.
-/// \param irregular gets those to which the sums do not apply
+/// \param irregular is set for those to which the sums do not apply
 inline void ReadSums(const VertexSums* sums, std::size_t begin, std::size_t end, double* values,
-                     std::vector<std::uint32_t>& irregular)
+                     std::uint8_t* irregular)
 {
     for (std::size_t v = begin; v < end; v += kLanes) {
         Int4 regular;
@@ -59,14 +59,15 @@ inline void ReadSums(const VertexSums* sums, std::size_t begin, std::size_t end,
         for (std::size_t i = 0; i < count; ++i) {
             if (regular[i]) continue;
             values[v + i] = 0;
-            if (sums[v + i].seen != 0) irregular.push_back(static_cast<std::uint32_t>(v + i));
+            const std::uint64_t seen = sums[v + i].seen; // 0 or a single face: flat
+            if (seen != 0 && !HasOneNext(seen)) irregular[v + i] = 1;
         }
     }
 }
 
-/// Appends the vertices that really have a neighbour twice, and those for which that is not worth a look.
+/// Marks the vertices that really have a neighbour twice, and those with so many that it is not worth a look.
 /// Where the faces close up around both of its ends, an edge with four faces starts twice at either.
-inline void AppendRepeated(std::vector<DirectedEdge> edges, std::vector<std::uint32_t>& vertices)
+inline void MarkRepeated(std::vector<DirectedEdge> edges, std::uint8_t* irregular)
 {
     std::sort(edges.begin(), edges.end());
     for (auto edge = edges.begin(); edge != edges.end();) {
@@ -75,9 +76,18 @@ inline void AppendRepeated(std::vector<DirectedEdge> edges, std::vector<std::uin
         if (end - edge > kMostRepeated || std::any_of(edge, end, [&](const DirectedEdge& e) {
                 return std::binary_search(edges.begin(), edges.end(), DirectedEdge{e.to, v});
             }))
-            vertices.push_back(v);
+            irregular[v] = 1;
         edge = end;
     }
+}
+
+/// What the threads found, for the whole mesh.
+inline void MarkRepeated(const std::vector<RepeatedEdges>& found, std::uint8_t* irregular)
+{
+    std::vector<DirectedEdge> all;
+    for (const RepeatedEdges& part : found) all.insert(all.end(), part.edges.begin(), part.edges.end());
+    if (all.size() < found.front().most) return MarkRepeated(std::move(all), irregular);
+    for (const DirectedEdge& edge : all) irregular[edge.from] = 1; // whatever the number of threads
 }
 
 /// LaplacianDescriptor of a mesh of triangles, on exactly so many threads.
@@ -88,33 +98,26 @@ std::vector<double> LaplacianDescriptorOf(const MeshView& mesh, int threads, boo
     std::vector<double> values(mesh.vertexCount);
     Buffer<VertexSums> sums;
     sums.AllocateZeros(mesh.vertexCount);
+    Buffer<std::uint8_t> irregular; // one byte a vertex
+    irregular.AllocateZeros(mesh.vertexCount);
     // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and whatever
     // their number, the faces of a vertex are added in the same order.
     const auto ranges = static_cast<std::size_t>(threads);
     const auto bound = [&](std::size_t range) { // four sums are read at once
         return range == ranges ? mesh.vertexCount : mesh.vertexCount * range / ranges / kLanes * kLanes;
     };
-    struct Found {
-        std::vector<DirectedEdge> repeated;
-        std::vector<std::uint32_t> irregular;
-    };
-    std::vector<Found> found(ranges);
+    const std::size_t most = mesh.faceCount / 8; // to sort more costs as much as the rings
+    std::vector<RepeatedEdges> repeated(ranges, {{}, most, irregular.data()});
     ParallelFor(threads, ranges, [&](std::size_t range, int) {
         const std::size_t begin = bound(range), end = bound(range + 1);
         const VertexRange vertices{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-        found[range].repeated = SumFaces<Scalar>(mesh, vertices, sums.data(), eightAtOnce);
-        ReadSums(sums.data(), begin, end, values.data(), found[range].irregular);
+        SumFaces<Scalar>(mesh, vertices, sums.data(), eightAtOnce, repeated[range]);
+        ReadSums(sums.data(), begin, end, values.data(), irregular.data());
     });
-    Found all;
-    for (const Found& part : found) {
-        all.repeated.insert(all.repeated.end(), part.repeated.begin(), part.repeated.end());
-        all.irregular.insert(all.irregular.end(), part.irregular.begin(), part.irregular.end());
-    }
-    AppendRepeated(std::move(all.repeated), all.irregular);
-    if (all.irregular.empty()) return values;
-    std::sort(all.irregular.begin(), all.irregular.end());
-    all.irregular.erase(std::unique(all.irregular.begin(), all.irregular.end()), all.irregular.end());
-    FoldOneRings<LaplacianFold, Scalar>(mesh, OneRings(mesh, std::move(all.irregular)), threads, values);
+    sums.Release();
+    MarkRepeated(repeated, irregular.data());
+    if (std::find(irregular.begin(), irregular.end(), 1) == irregular.end()) return values;
+    FoldOneRings<LaplacianFold, Scalar>(mesh, OneRings(mesh, irregular.data(), threads), threads, values);
     return values;
 }
 

@@ -9,11 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/float4.h"
-#include "vcg_ext/core/descriptor/vertex_normals.h"
+#include "vcg_ext/core/descriptor/vertex_normal.h"
 
 // Descriptors that a vertex, its normal n and the edges e to its neighbours define. All of them fold four
 // edges at a time: Add(edges, heights e.n, which lanes count), then Value(number of neighbours).

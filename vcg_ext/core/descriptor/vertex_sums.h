@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "vcg_ext/core/descriptor/vertex_normal.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
-#include "vcg_ext/core/descriptor/edge_reader.h"
 #include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/base/float8.h"
 #include "vcg_ext/core/base/parallel.h"
@@ -60,6 +60,26 @@ struct DirectedEdge {
     friend bool operator==(const DirectedEdge& a, const DirectedEdge& b)
     {
         return a.from == b.from && a.to == b.to;
+    }
+};
+
+/// Whether the faces around a vertex have one next vertex. \param seen as in VertexSums, not 0
+inline bool HasOneNext(std::uint64_t seen)
+{
+    return (seen & (seen - 0x0101010101010101u)) == 0; // no byte has two bits
+}
+
+/// Edges that a vertex may have twice, as one thread finds them.
+struct RepeatedEdges {
+    std::vector<DirectedEdge> edges;
+    std::size_t most;        ///< of the edges
+    std::uint8_t* irregular; ///< one byte a vertex, set where an edge starts that finds no room
+
+    /// \param seen by the vertex where the edge starts
+    [[gnu::noinline, gnu::cold]] void Add(DirectedEdge edge, std::uint64_t seen)
+    {
+        if (edges.size() < most) edges.push_back(edge);
+        if (edges.size() == most || HasOneNext(seen)) irregular[edge.from] = 1;
     }
 };
 
@@ -161,7 +181,7 @@ class FaceBatch
     /// \param repeated gets edges that a vertex may have had before
     template <bool kAll>
     [[gnu::always_inline]] void AddTo(VertexSums* sums, const std::uint32_t* corners, std::size_t faces,
-                                      const VertexRange& range, std::vector<DirectedEdge>& repeated) const
+                                      const VertexRange& range, RepeatedEdges& repeated) const
     {
 #pragma GCC unroll 8
         for (std::size_t i = 0; i < kFaces; ++i) {
@@ -175,22 +195,16 @@ class FaceBatch
                 const std::uint64_t before = sum.seen;
                 sum.seen |= bits_[(k + 1) % 3][i];
                 if (__builtin_expect(sum.seen == before, 0))
-                    Note({v, corners[3 * i + (k + 1) % 3]}, repeated);
+                    repeated.Add({v, corners[3 * i + (k + 1) % 3]}, before);
             }
         }
-    }
-
-  private:
-    [[gnu::noinline, gnu::cold]] static void Note(DirectedEdge edge, std::vector<DirectedEdge>& edges)
-    {
-        edges.push_back(edge);
     }
 };
 
 /// The work of one thread. \tparam Real, Scalar as of FaceBatch
 template <class Real, class Scalar>
 [[gnu::always_inline]] inline void SumFacesBy(const MeshView& mesh, const VertexRange& range,
-                                              VertexSums* sums, std::vector<DirectedEdge>& repeated)
+                                              VertexSums* sums, RepeatedEdges& repeated)
 {
     constexpr std::size_t kFaces = kLanesOf<Real>, kAhead = 32; // about what memory takes to answer
     const EdgeReader<Scalar> reader(mesh);
@@ -234,30 +248,28 @@ template <class Real, class Scalar>
 #ifdef VCG_EXT_HAS_FLOAT8
 template <class Scalar>
 VCG_EXT_FOR_AVX2 void SumFacesByEight(const MeshView& mesh, const VertexRange& range, VertexSums* sums,
-                                      std::vector<DirectedEdge>& repeated)
+                                      RepeatedEdges& repeated)
 {
     SumFacesBy<Float8, Scalar>(mesh, range, sums, repeated);
 }
 #else
 template <class Scalar>
-void SumFacesByEight(const MeshView&, const VertexRange&, VertexSums*, std::vector<DirectedEdge>&)
+void SumFacesByEight(const MeshView&, const VertexRange&, VertexSums*, RepeatedEdges&)
 {
 }
 #endif
 
 /// Adds all faces at the vertices of \p range to their sums, which start from zero.
 /// \param eightAtOnce \pre HasAvx2() where true; the sums are the same
-/// \return edges that may start at such a vertex twice; others do not
+/// \param repeated gets the edges that may start at such a vertex twice; others do not
 template <class Scalar>
-std::vector<DirectedEdge> SumFaces(const MeshView& mesh, const VertexRange& range, VertexSums* sums,
-                                   bool eightAtOnce)
+void SumFaces(const MeshView& mesh, const VertexRange& range, VertexSums* sums, bool eightAtOnce,
+              RepeatedEdges& repeated)
 {
-    std::vector<DirectedEdge> repeated;
     if (eightAtOnce)
         SumFacesByEight<Scalar>(mesh, range, sums, repeated);
     else
         SumFacesBy<Float4, Scalar>(mesh, range, sums, repeated);
-    return repeated;
 }
 
 } // namespace vcg_ext

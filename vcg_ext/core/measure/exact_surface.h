@@ -67,20 +67,15 @@ class ExactSurface
     /// What one thread needs for its queries. Queries that follow each other should be close to each other.
     struct Search {
         std::vector<FaceTree::Candidate> found;
-        std::optional<std::uint32_t> last; ///< the closest face of the query before
+        std::optional<std::uint32_t> last; ///< the closest face of the last query
+        double nearest2 = 0;               ///< its squared distance
     };
 
     /// Squared distance of \p p to the surface.
     double Distance2(const Vector3<double>& p, Search& search) const
     {
-        double nearest2 = FindClosest(p, search);
-        for (const FaceTree::Candidate& candidate : search.found) {
-            const double distance2 = Distance2ToFace(candidate.face, p);
-            if (!(distance2 < nearest2)) continue;
-            nearest2 = distance2;
-            search.last = candidate.face;
-        }
-        return nearest2;
+        FindClosest(p, search);
+        return search.nearest2;
     }
 
     /// Whether the face closest to \p p is turned by more than 90 degrees against \p direction. Of several
@@ -92,31 +87,42 @@ class ExactSurface
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         double along2 = kInfinity, away2 = kInfinity;
         FindClosest(p, search);
-        if (search.last) search.found.push_back({0, *search.last});
+        search.found.push_back({0, *search.last});
         for (const FaceTree::Candidate& candidate : search.found) {
             double& side2 = Dot(AreaVector(candidate.face), direction) < 0 ? away2 : along2;
-            const double distance2 = Distance2ToFace(candidate.face, p);
-            if (distance2 < std::min(along2, away2)) search.last = candidate.face;
-            side2 = std::min(side2, distance2);
+            side2 = std::min(side2, Distance2ToFace(candidate.face, p));
         }
         return away2 * kTie + kZero2 < along2;
     }
 
   private:
-    /// Fills search.found. \return the squared distance to search.last: of a needle the tree knows the
-    /// distance with an error far above the slack, so that it may find nothing as close; infinity where there
-    /// is none
-    double FindClosest(const Vector3<double>& p, Search& search) const
+    /// Finds the closest face, search.last, its distance and what may be as close.
+    void FindClosest(const Vector3<double>& p, Search& search) const
     {
-        double nearest2 = std::numeric_limits<double>::infinity();
-        double limit2 = std::numeric_limits<float>::max();
-        if (search.last) {
-            nearest2 = Distance2ToFace(*search.last, p);
-            const double reach = std::sqrt(nearest2) + slack_;
-            limit2 = std::min(limit2, reach * reach);
-        }
-        tree_.FindClosest(Rounded(p), static_cast<float>(slack_), static_cast<float>(limit2), search.found);
-        return nearest2;
+        search.nearest2 = std::numeric_limits<double>::infinity();
+        if (search.last) Consider(*search.last, p, search);
+        const float seen2 =
+            tree_.FindClosest(Rounded(p), static_cast<float>(slack_), Reach2(search.nearest2), search.found);
+        for (const FaceTree::Candidate& candidate : search.found) Consider(candidate.face, p, search);
+        // A needle's plane is rounding in single precision: it may have seemed closer than it is.
+        if (static_cast<double>(Reach2(static_cast<double>(seen2))) < search.nearest2)
+            tree_.ForEachInReach(Rounded(p), Reach2(search.nearest2), [&](std::uint32_t face) {
+                Consider(face, p, search);
+                return Reach2(search.nearest2);
+            });
+    }
+    void Consider(std::uint32_t face, const Vector3<double>& p, Search& search) const
+    {
+        const double distance2 = Distance2ToFace(face, p);
+        if (!(distance2 < search.nearest2)) return;
+        search.nearest2 = distance2;
+        search.last = face;
+    }
+    /// Up to where a face may still be the closest, if one is at \p nearest2.
+    float Reach2(double nearest2) const
+    {
+        const double reach = std::sqrt(nearest2) + slack_;
+        return static_cast<float>(std::min<double>(reach * reach, std::numeric_limits<float>::max()));
     }
 };
 

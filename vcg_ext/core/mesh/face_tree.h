@@ -157,8 +157,9 @@ class FaceTree
     /// of many that are equally far the first kMaxCandidates.
     /// \param limit2 squared distance to some face of the surface, slack included, if one is known: that
     /// saves most of the time \param found is overwritten
-    void FindClosest(const Vector3<float>& point, float slack, float limit2,
-                     std::vector<Candidate>& found) const
+    /// \return the squared distance to the closest face, as single precision sees it
+    float FindClosest(const Vector3<float>& point, float slack, float limit2,
+                      std::vector<Candidate>& found) const
     {
         found.clear();
         float nearest2 = kFar;
@@ -181,6 +182,19 @@ class FaceTree
             return found.size() < kMaxCandidates ? limit2 : nearest2 > kNothing ? kNearer * nearest2 : -1;
         });
         DropFar(found, limit2);
+        return nearest2;
+    }
+
+    /// Calls visit(face) for every face in a box whose squared distance from \p point is at most what the
+    /// last call returned, some of them twice. Asks nothing of the faces themselves, so that needles cannot
+    /// mislead it. \param limit2 for the first call
+    template <class Visit>
+    void ForEachInReach(const Vector3<float>& point, float limit2, const Visit& visit) const
+    {
+        Search(point, AllNodes, limit2, [&](const FourTriangles&, const FourIndices& indices) {
+            for (const std::uint32_t face : indices) limit2 = visit(face);
+            return limit2;
+        });
     }
 
     /// Squared distance to the surface.

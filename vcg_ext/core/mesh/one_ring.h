@@ -10,6 +10,7 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext
@@ -30,11 +31,13 @@ struct RingCorner {
 class OneRings
 {
     std::vector<std::uint32_t> vertices_; // empty where all have a ring
-    std::vector<std::size_t> offset_;
+    Buffer<std::size_t> offset_;          // of every ring and two more
     Buffer<RingCorner> corners_;
 
     static RingCorner CornerOf(const MeshView& mesh, std::size_t face, std::size_t k);
-    void CountsToOffsets();
+    template <class FaceAt, class RingOf>
+    void Fill(const MeshView& mesh, std::size_t rings, std::size_t faces, const FaceAt& faceAt,
+              const RingOf& ringOf, int threads);
     bool IsRegular(ArrayView<RingCorner> corners) const;
 
   public:
@@ -42,8 +45,10 @@ class OneRings
     /// \param threads used as they are
     explicit OneRings(const MeshView& mesh, int threads = 1);
 
-    /// The rings of some vertices, in one pass over the faces. \param vertices in ascending order
-    OneRings(const MeshView& mesh, std::vector<std::uint32_t> vertices);
+    /// The rings of some vertices, in one pass over all faces and two over theirs.
+    /// \param wanted one byte a vertex, not 0: it has a ring, numbered in the order of the vertices
+    /// \pre one of them at least, and fewer than 2^32 faces
+    OneRings(const MeshView& mesh, const std::uint8_t* wanted, int threads);
 
     std::size_t Count() const { return offset_.size() - 2; }
 
@@ -93,57 +98,67 @@ inline RingCorner OneRings::CornerOf(const MeshView& mesh, std::size_t face, std
     return {v[next] & 0x7fffffffu, faux >> k & 1u, v[previous] & 0x7fffffffu, faux >> previous & 1u};
 }
 
-/// Counts are stored two places on, so that afterwards offset_[ring + 1] is where a ring begins, and after
-/// filling where it ends.
-inline void OneRings::CountsToOffsets()
+/// Puts the corners of the faces faceAt(0) .. faceAt(faces - 1) into rings. Every thread walks over all of
+/// them for a range of rings of its own: nothing is shared, and the corners of a ring keep the order of the
+/// faces. \param ringOf ring of a vertex; \p rings where it has none
+template <class FaceAt, class RingOf>
+void OneRings::Fill(const MeshView& mesh, std::size_t rings, std::size_t faces, const FaceAt& faceAt,
+                    const RingOf& ringOf, int threads)
 {
-    for (std::size_t ring = 2; ring < offset_.size(); ++ring) offset_[ring] += offset_[ring - 1];
-    corners_.Allocate(offset_.back());
-}
-
-inline OneRings::OneRings(const MeshView& mesh, int threads) : offset_(mesh.vertexCount + 2, 0)
-{
-    // Every thread walks over all faces for a range of vertices of its own: nothing is shared, and the
-    // corners of a vertex keep the order of the faces.
-    const std::size_t ranges = static_cast<std::size_t>(threads);
+    constexpr std::size_t kAhead = 16; // about what memory takes to answer
+    const auto ranges = static_cast<std::size_t>(threads);
     const auto forEachCorner = [&](const auto& visit) {
         ParallelFor(threads, ranges, [&](std::size_t range, int) {
-            const std::size_t first = mesh.vertexCount * range / ranges;
-            const std::size_t count = mesh.vertexCount * (range + 1) / ranges - first;
-            for (std::size_t f = 0; f < mesh.faceCount; ++f) {
+            const std::size_t first = rings * range / ranges;
+            const std::size_t count = rings * (range + 1) / ranges - first;
+            for (std::size_t i = 0; i < faces; ++i) {
+                const std::uint32_t* ahead = mesh.triangles + 3 * faceAt(std::min(i + kAhead, faces - 1));
+                for (std::size_t k = 0; k < 3; ++k) Prefetch(&offset_[ringOf(ahead[k]) + 1]);
+                const std::size_t f = faceAt(i);
                 const std::uint32_t* v = mesh.triangles + 3 * f;
                 if (NamesAVertexTwice(v)) continue;
-                for (std::size_t k = 0; k < 3; ++k)
-                    if (v[k] - first < count) visit(f, v[k], k);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::size_t ring = ringOf(v[k]);
+                    if (ring - first < count) visit(f, ring, k);
+                }
             }
         });
     };
-    forEachCorner([&](std::size_t, std::uint32_t v, std::size_t) { ++offset_[v + 2]; });
-    CountsToOffsets();
-    forEachCorner([&](std::size_t f, std::uint32_t v, std::size_t k) {
-        corners_[offset_[v + 1]++] = CornerOf(mesh, f, k);
+    // Counts are stored two places on, so that afterwards offset_[ring + 1] is where a ring begins, and after
+    // filling where it ends.
+    offset_.AllocateZeros(rings + 2);
+    forEachCorner([&](std::size_t, std::size_t ring, std::size_t) { ++offset_[ring + 2]; });
+    for (std::size_t ring = 2; ring < offset_.size(); ++ring) offset_[ring] += offset_[ring - 1];
+    corners_.AllocateZeros(offset_[rings + 1]);
+    forEachCorner([&](std::size_t f, std::size_t ring, std::size_t k) {
+        corners_[offset_[ring + 1]++] = CornerOf(mesh, f, k);
     });
 }
 
-inline OneRings::OneRings(const MeshView& mesh, std::vector<std::uint32_t> vertices)
-    : vertices_(std::move(vertices)), offset_(vertices_.size() + 2, 0)
+inline OneRings::OneRings(const MeshView& mesh, int threads)
 {
-    std::vector<std::uint8_t> wanted(mesh.vertexCount, 0);
-    for (const std::uint32_t v : vertices_) wanted[v] = 1;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // ring, corner of the mesh
+    const auto itself = [](std::size_t i) { return i; };
+    Fill(mesh, mesh.vertexCount, mesh.faceCount, itself, itself, threads);
+}
+
+inline OneRings::OneRings(const MeshView& mesh, const std::uint8_t* wanted, int threads)
+{
+    Buffer<std::uint32_t> ringOf(mesh.vertexCount); // of those that are wanted; memory that is not touched
+    Buffer<std::uint32_t> faces(mesh.faceCount);    // costs nothing
+    for (std::size_t v = 0; v < mesh.vertexCount; ++v) {
+        if (!wanted[v]) continue;
+        ringOf[v] = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back(static_cast<std::uint32_t>(v));
+    }
+    std::size_t count = 0;
     for (std::size_t f = 0; f < mesh.faceCount; ++f) {
         const std::uint32_t* v = mesh.triangles + 3 * f;
-        if ((wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) == 0 || NamesAVertexTwice(v)) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (!wanted[v[k]]) continue;
-            const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), v[k]);
-            found.emplace_back(at - vertices_.begin(), 3 * f + k);
-            ++offset_[found.back().first + 2];
-        }
+        if ((wanted[v[0]] | wanted[v[1]] | wanted[v[2]]) != 0) faces[count++] = static_cast<std::uint32_t>(f);
     }
-    CountsToOffsets();
-    for (const auto& [ring, corner] : found)
-        corners_[offset_[ring + 1]++] = CornerOf(mesh, corner / 3, corner % 3);
+    const std::size_t rings = vertices_.size();
+    Fill(
+        mesh, rings, count, [&](std::size_t i) { return faces[i]; },
+        [&](std::size_t v) { return wanted[v] != 0 ? ringOf[v] : rings; }, UsefulThreadCount(threads, count));
 }
 
 /// Whether the `next` of the corners alone are the neighbours: none is a diagonal, none is there twice, and
@@ -153,15 +168,14 @@ inline bool OneRings::IsRegular(ArrayView<RingCorner> corners) const
 {
     std::uint32_t balance = 0;
     std::uint64_t seen = 0;
-    bool repeated = false;
     for (const RingCorner& corner : corners) {
         const std::uint32_t mixed = MixedBits(corner.next);
         const std::uint64_t bit = std::uint64_t{1} << (mixed >> 26);
+        if ((seen & bit) != 0 || corner.nextIsFaux || corner.previousIsFaux) return false;
         balance += mixed - MixedBits(corner.previous);
-        repeated |= (seen & bit) != 0 || corner.nextIsFaux || corner.previousIsFaux;
         seen |= bit;
     }
-    return balance == 0 && !repeated;
+    return balance == 0;
 }
 
 inline ArrayView<std::uint32_t> OneRings::Neighbours(std::size_t ring, std::vector<std::uint32_t>& room) const
