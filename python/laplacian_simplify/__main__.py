@@ -17,6 +17,8 @@ def main() -> int:
     write_names_as_they_are()
     try:
         return command()
+    except OSError:  # the help had nowhere to go
+        return 1
     finally:
         flush_or_drop()
 

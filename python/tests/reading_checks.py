@@ -18,6 +18,10 @@ def write(path: Path, content: Content) -> Path:
     return path
 
 
+def names_in(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
 def reading_of(path: Path, content: Content) -> Reading:
     """Writes and reads a file."""
     return read(write(path, content))
@@ -44,6 +48,15 @@ def area(reading: Reading) -> float:
 def bounds(reading: Reading) -> list[list[float]]:
     points, _ = arrays(reading)
     return [points.min(axis=0).tolist(), points.max(axis=0).tolist()]
+
+
+def refusal(path: Path) -> str:
+    """How a file is refused; empty where it is read."""
+    try:
+        read(path)
+    except OSError as error:
+        return str(error)
+    return ""
 
 
 def assert_refused(path: Path, content: Content, *said: str) -> None:

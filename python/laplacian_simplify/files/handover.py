@@ -11,7 +11,7 @@ from ..turns import forget_failures, plain_path, with_own_folder
 from .errors import MeshFileError
 from .mesh_data import MeshData
 from .source import Source
-from .textures import encoded
+from .textures import encoded, leave_out_damaged
 
 if TYPE_CHECKING:
     import pymeshlab
@@ -32,6 +32,8 @@ def to_mesh_set(data: MeshData, source: Source) -> "pymeshlab.MeshSet":
     """
     path = source.path if data.as_it_stands else _write_for_meshlab(data, source.scratch)
     mesh_set = with_own_folder(_load, path)
+    if leave_out_damaged(data, mesh_set.current_mesh().textures()):
+        mesh_set = with_own_folder(_load, _write_for_meshlab(data, source.scratch))
     mesh = mesh_set.current_mesh()
     mesh.set_label(Path(source.shown).name.encode("utf-8", "replace").decode())
     found = mesh.vertex_number(), mesh.face_number()
@@ -140,7 +142,9 @@ def _textures(data: MeshData, folder: Path) -> list[str]:
     names = []
     for texture in data.textures:
         name = encoded(texture.name)
-        if isinstance(texture.image, bytes):
+        if (folder / name).is_symlink() or (folder / name).exists():  # it is written for the second time
+            pass
+        elif isinstance(texture.image, bytes):
             (folder / name).write_bytes(texture.image)
         else:
             (folder / name).symlink_to(texture.image)

@@ -81,7 +81,8 @@ def convert(_stage: Stage, *, path: str, folder: str, seconds: int, memory: int)
     mesh_set = pymeshlab.MeshSet()
     with contextlib.suppress(ValueError, OSError):
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-        resource.setrlimit(resource.RLIMIT_DATA, (memory, memory))
+        taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (taken + memory, taken + memory))
     try:
         with plain_path(Path(path)) as plain:
             mesh_set.load_new_mesh(plain)

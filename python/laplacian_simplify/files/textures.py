@@ -9,7 +9,7 @@ a texture therefore has its name in percent encoding, which is the name itself w
 import os
 import re
 import stat
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -53,17 +53,42 @@ def use_textures(data: MeshData, names: Sequence[str], folder: Path) -> None:
 
     Faces with a texture that is not there keep their texture coordinates.
     """
-    new_index = np.full(max(len(names), 1), -1, dtype=np.int64)
-    for index, name in enumerate(names):
+    data.textures = []
+    new_index = []
+    for name in names:
         image, reason = find_image(name, folder)
-        if image is None:
-            data.notes.append(f"texture '{printable(name)}' {reason}; the result has none in its place")
-            continue
-        new_index[index] = len(data.textures)
-        data.textures.append(Texture(_kept_name(name, data.textures), image))
-    if data.texture_of_face is not None:
-        known = (data.texture_of_face >= 0) & (data.texture_of_face < len(names))
-        data.texture_of_face = np.where(known, new_index[np.where(known, data.texture_of_face, 0)], -1)
+        new_index.append(len(data.textures) if image else -1)
+        if image:
+            data.textures.append(Texture(_kept_name(name, data.textures), image))
+        else:
+            _note_missing(data, name, reason)
+    _renumber(data, new_index)
+
+
+def leave_out_damaged(data: MeshData, loaded: Collection[str]) -> bool:
+    """Leaves out the textures that MeshLab could not load, by their names at that time; returns whether any was."""
+    kept = [texture for texture in data.textures if encoded(texture.name) in loaded]
+    if len(kept) == len(data.textures):
+        return False
+    for texture in data.textures:
+        if texture not in kept:
+            _note_missing(data, texture.name, "is damaged")
+    _renumber(data, [kept.index(texture) if texture in kept else -1 for texture in data.textures])
+    data.textures = kept
+    return True
+
+
+def _note_missing(data: MeshData, name: str, reason: str) -> None:
+    data.notes.append(f"texture '{printable(name)}' {reason}; the result has none in its place")
+
+
+def _renumber(data: MeshData, new_index: Sequence[int]) -> None:
+    """Gives every face the new number of its texture, -1 for none."""
+    if data.texture_of_face is None:
+        return
+    known = (data.texture_of_face >= 0) & (data.texture_of_face < len(new_index))
+    table = np.array([*new_index, -1], dtype=np.int64)
+    data.texture_of_face = table[np.where(known, data.texture_of_face, len(new_index))]
 
 
 def find_image(name: str, folder: Path) -> tuple[Path | None, str]:
