@@ -17,7 +17,7 @@
 #include "progress.h"
 #include "stopwatch.h"
 #include "values.h"
-#include "vcg_ext/decimate_weighted.h"
+#include "vcg_ext/decimate.h"
 #include "vcg_ext/curvature.h"
 #include "vcg_ext/core/descriptor/feature_classes.h"
 #include "vcg_ext/mesh_arrays.h"

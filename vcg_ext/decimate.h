@@ -11,7 +11,7 @@
 #include "vcg_ext/apply_decimation.h"
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/mesh_arrays.h"
-#include "vcg_ext/ordered/collapse.h"
+#include "vcg_ext/ordered/decimate.h"
 
 namespace vcg_ext
 {
@@ -57,6 +57,25 @@ Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parame
     }
     if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
     return Decimate(view, static_cast<const DecimationParameters&>(parameters));
+}
+
+/// The simplification of Zhang et al. (2012): their collapse alone in the pipeline of Simplify, without
+/// refinement and fold repair. \param progress may be empty
+/// \throws std::invalid_argument as CheckMesh and DecimateWeighted
+inline Simplification SimplifyWeighted(const MeshView& view, const WeightedParameters& weighted,
+                                       Progress progress = {})
+{
+    CheckMesh(view);
+    DecimationParameters parameters;
+    parameters.targetFaces = weighted.targetFaces;
+    parameters.progress = std::move(progress);
+    PipelineStages stages;
+    stages.refine = stages.repairFolds = false;
+    stages.collapseEnds = stages.repairBegins;
+    return RunPipeline(view, parameters, stages,
+                       [&](const MeshView& mesh, KeptForLater, const StageProgress& stage) {
+                           return ToSurface(mesh, DecimateWeighted(mesh, weighted, stage), false, 1);
+                       });
 }
 
 } // namespace vcg_ext

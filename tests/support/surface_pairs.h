@@ -14,9 +14,8 @@
 #include "analytic_meshes.h"
 #include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/mesh/build_surface.h"
-#include "vcg_ext/core/mesh/edge_counts.h"
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/measure/report.h"
 #include "vcg_ext/core/refine/refine.h"
 
 /// Pairs of an original and a simplified surface for the refinement, and what is measured on them.

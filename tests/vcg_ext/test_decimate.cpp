@@ -34,8 +34,8 @@ DistanceReport Measured(const Mesh& original, const Simplification& result)
 {
     constexpr std::size_t kSamples = 3000;
     const MeshArrays<Mesh> arrays(original);
-    return MeasureDistances(arrays.View(), result.mesh, std::vector<float>(original.vert.size(), 0),
-                            kSamples, 1);
+    return MeasureDistances(arrays.View(), result.mesh, std::vector<float>(original.vert.size(), 0), kSamples,
+                            1);
 }
 
 template <class Mesh>

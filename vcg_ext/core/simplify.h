@@ -18,7 +18,7 @@
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/measure/report.h"
-#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"

@@ -13,7 +13,7 @@
 
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/geometry/frame.h"
-#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/error_functions.h"
 #include "vcg_ext/ordered/legality.h"

@@ -5,7 +5,7 @@
 
 #include "analytic_meshes.h"
 #include "vcg_ext/core/measure/distances.h"
-#include "vcg_ext/core/mesh/edge_counts.h"
+#include "vcg_ext/core/measure/report.h"
 
 using namespace vcg_ext;
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analytic_meshes.h"
-#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 
 using namespace test_meshes;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analytic_meshes.h"
-#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/repair/fold_repair.h"
 

@@ -18,7 +18,6 @@
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/surface.h"
-#include "vcg_ext/core/mesh/build_surface.h"
 
 namespace vcg_ext
 {

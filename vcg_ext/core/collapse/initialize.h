@@ -22,8 +22,8 @@ namespace vcg_ext
 class SweepStarter
 {
     static constexpr std::size_t kGrain = 4096;
-    static constexpr float kFlatCosine2 = 0.9330127f;      ///< cos^2 of 15 degrees
-    static constexpr std::uint32_t kMostSamples = 1 << 16; ///< for the percentile
+    static constexpr float kFlatCosine2 = 0.9330127f;     ///< cos^2 of 15 degrees
+    static constexpr std::uint32_t kMaxSamples = 1 << 16; ///< for the percentile
 
     /// A star with its faces' corners written out, padded to whole vectors.
     struct Star {
@@ -211,7 +211,7 @@ class SweepStarter
     std::vector<float> DescriptorSample() const
     {
         std::vector<float> sample;
-        const std::uint32_t step = std::max(1u, state_.VertexCount() / kMostSamples);
+        const std::uint32_t step = std::max(1u, state_.VertexCount() / kMaxSamples);
         for (std::uint32_t v = 0; v < state_.VertexCount(); v += step)
             if (state_.cornerCount[v] > 0) sample.push_back(state_.descriptor[v]);
         return sample;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/collapse/arena.h"
+#include "vcg_ext/core/collapse/workspace.h"
 #include "vcg_ext/core/base/morton.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
@@ -22,8 +22,8 @@ namespace vcg_ext
 {
 
 /// Faces whose corners fit the 32 bits of a pool with the lists of one sweep behind it.
-constexpr std::size_t kMostFaces = std::size_t{1} << 29;
-constexpr std::size_t kMostVertices = std::size_t{1} << 30;
+constexpr std::size_t kMaxFaces = std::size_t{1} << 29;
+constexpr std::size_t kMaxVertices = std::size_t{1} << 30;
 
 /// Reads a MeshView into a SweepState: order, frame, records, corner lists. Quadrics and descriptors come
 /// after it (sweep_start.h). Faces that name a vertex twice stay out unless all their vertices are fixed.
@@ -51,7 +51,7 @@ class SweepLoader
     SweepLoader(const MeshView& view, SweepState& state, int threads)
         : view_(view), state_(state), threads_(threads)
     {
-        if (view.faceCount >= kMostFaces || view.vertexCount >= kMostVertices)
+        if (view.faceCount >= kMaxFaces || view.vertexCount >= kMaxVertices)
             throw std::length_error("the mesh has " + std::to_string(view.faceCount) + " faces and " +
                                     std::to_string(view.vertexCount) +
                                     " vertices; the engine handles fewer than 2^29 faces and 2^30 vertices");

@@ -19,20 +19,31 @@ namespace vcg_ext
 class SweepSchedule
 {
     static constexpr float kLowestThreshold = 1e-30f;
-    static constexpr double kHighestStart =
-        0.9; ///< quantile of the lowest costs that the first sweep reaches
+    /// Quantile of the lowest costs that the first sweep reaches at most.
+    static constexpr double kHighestStart = 0.9;
     static constexpr std::uint32_t kCostSamples = 4000;
     static constexpr std::uint32_t kKeySamples = 4000;
-    static constexpr double kFewestCandidates = 0.1; ///< part of the vertices that every sweep should reach
-    static constexpr double kDeepReduction = 0.7; ///< with more faces to go, errors of rounding's size drown
-    static constexpr float kRatio = 3;            ///< from one threshold to the next
-    static constexpr double kMiddle = 2.3;        ///< times the target: the steps become half as large
+    /// Part of the vertices that every sweep should reach.
+    static constexpr double kMinCandidates = 0.1;
+    /// With more faces than this part to go, errors of the size of rounding drown.
+    static constexpr double kDeepReduction = 0.7;
+
+    // Ratios of one threshold to the next. The nearer the target, the smaller the step, as the last collapses
+    // are the dearest and should be well chosen. Each was measured by itself, efforts fast, eight meshes at
+    // 20 and 5 %, geometric means of rms and Hausdorff distance: a ratio of 9 far away costs 23 % and 16 %
+    // for a fifth of the time, sqrt(3) there changes nothing; without the middle steps 7 % and 22 %, without
+    // the near ones 3 % and 3 %; near steps half as large change nothing.
+    static constexpr float kRatio = 3;
+    static constexpr double kMiddle = 2.3; ///< times the target: the steps become half as large, sqrt(3)
     static constexpr float kMiddleRatio = 1.7320508f;
-    static constexpr double kNear = 1.3; ///< times the target: small steps, so that the last are well chosen
+    static constexpr double kNear = 1.3; ///< times the target: small steps, 2^(1/4)
     static constexpr float kNearRatio = 1.19f;
-    static constexpr double kLast = 1.05; ///< times the target: the last sweep ends by index, not by cost
+    /// Times the target: 2^(1/8). The last sweep takes whatever is below the threshold in the order of the
+    /// vertices, so what is below it should be little.
+    static constexpr double kLast = 1.05;
     static constexpr float kLastRatio = 1.09f;
-    static constexpr double kSlow = 1.0 / 400; ///< part of the faces below which a sweep was not worth it
+    /// Part of the faces below which a sweep was not worth its time: the next step is larger.
+    static constexpr double kSlow = 1.0 / 400;
     static constexpr float kSlowRatio = 2;
 
     SweepState& state_;
@@ -147,7 +158,7 @@ class SweepSchedule
             ratio = kLastRatio;
         else if (static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces))
             ratio = std::max(ratio, kSlowRatio);
-        const double part = std::min(kFewestCandidates, 0.5 * std::max(0.0, 1 - 1 / need));
+        const double part = std::min(kMinCandidates, 0.5 * std::max(0.0, 1 - 1 / need));
         return std::min(std::max(threshold * ratio, KeyQuantile(part)), kHighestThreshold);
     }
 

@@ -24,7 +24,7 @@ namespace vcg_ext
 class SweepRunner
 {
     static constexpr std::size_t kVerticesPerBlock = 8192;
-    static constexpr std::size_t kFewestBlocksToShift = 5;
+    static constexpr std::size_t kMinBlocksToShift = 5;
     static constexpr std::size_t kGrain = 8192;
     static constexpr std::size_t kNoQuota = std::numeric_limits<std::size_t>::max();
 
@@ -146,7 +146,7 @@ class SweepRunner
         for (std::size_t block = 0; block < blocks_; ++block)
             for (const std::uint32_t v : putOff_[block])
                 if (IsCandidate(v, step)) putOffShifted_[(v + blockSize_ / 2) / blockSize_].push_back(v);
-        if (blocks_ < kFewestBlocksToShift || state_.aliveFaces <= target) return;
+        if (blocks_ < kMinBlocksToShift || state_.aliveFaces <= target) return;
         std::vector<std::size_t> candidates(blocks_ + 1);
         for (std::size_t block = 0; block <= blocks_; ++block)
             candidates[block] = putOffShifted_[block].size();

@@ -20,7 +20,7 @@ namespace vcg_ext
 {
 
 /// A vertex with more edges that it may have twice than this is done by its ring.
-constexpr std::ptrdiff_t kMostRepeated = 8;
+constexpr std::ptrdiff_t kMaxRepeated = 8;
 
 /// The descriptors |sum e.n| / sum |e| of four vertices.
 /// \param regular the faces close up around the vertex, and all of them could be weighed. Sometimes false
@@ -29,8 +29,8 @@ inline Float4 FourDescriptors(const VertexSums* sums, Int4& regular)
 {
     constexpr float kLongest = 1e9f; // its fourth power is a float
     // of a regular vertex: each of them adds a bit to `seen`, or may be there twice
-    constexpr float kMostNeighbours = 64 + kMostRepeated;
-    constexpr float kCancelled2 = kCancelledNormal * kMostNeighbours * (kCancelledNormal * kMostNeighbours);
+    constexpr float kMaxNeighbours = 64 + kMaxRepeated;
+    constexpr float kCancelled2 = kCancelledNormal * kMaxNeighbours * (kCancelledNormal * kMaxNeighbours);
     Float4 left[kLanes], right[kLanes];
     for (std::size_t i = 0; i < kLanes; ++i) {
         left[i] = LoadUnaligned(sums[i].value);
@@ -73,7 +73,7 @@ inline void MarkRepeated(std::vector<DirectedEdge> edges, std::uint8_t* irregula
     for (auto edge = edges.begin(); edge != edges.end();) {
         const std::uint32_t v = edge->from;
         const auto end = std::find_if(edge, edges.end(), [&](const DirectedEdge& e) { return e.from != v; });
-        if (end - edge > kMostRepeated || std::any_of(edge, end, [&](const DirectedEdge& e) {
+        if (end - edge > kMaxRepeated || std::any_of(edge, end, [&](const DirectedEdge& e) {
                 return std::binary_search(edges.begin(), edges.end(), DirectedEdge{e.to, v});
             }))
             irregular[v] = 1;

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "vcg_ext/core/geometry/point_triangle.h"
-#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/edge_flip.h"
 #include "vcg_ext/core/mesh/face_tree.h"
-#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/repair/local_energy.h"
 #include "vcg_ext/core/repair/local_samples.h"
 

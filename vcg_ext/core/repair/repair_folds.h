@@ -12,7 +12,7 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/geometry/frame.h"
-#include "vcg_ext/core/mesh/build_surface.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
