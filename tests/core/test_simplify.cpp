@@ -123,6 +123,21 @@ class TestSimplify : public QObject
         }
     }
 
+    /// Before and after the collapse there is enough for several threads in every loop: they take 16,384
+    /// vertices or faces at a time, or fewer.
+    void isBitIdenticalWhereThreadsShareEveryLoop()
+    {
+        const IndexedMesh mesh = test_meshes::Noisy(test_meshes::Torus(300, 150), 0.002);
+        auto parameters = Target(36000);
+        const Simplification one = Simplify(View(mesh), parameters);
+        parameters.threads = 3;
+        const Simplification many = Simplify(View(mesh), parameters);
+        QVERIFY(many.mesh.positions.size() > 16384);
+        QVERIFY(many.mesh.positions == one.mesh.positions);
+        QVERIFY(many.mesh.triangles == one.mesh.triangles);
+        QCOMPARE(many.report.distances->rms, one.report.distances->rms);
+    }
+
     void progressRisesThroughAllStages()
     {
         const IndexedMesh mesh = Rough();

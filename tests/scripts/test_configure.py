@@ -3,7 +3,6 @@
 """A MeshLab that the plugin cannot fit is refused when the build is configured, with a sentence that says why."""
 
 import os
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -92,17 +91,3 @@ def test_folder_without_meshlab_is_refused(tmp_path: Path) -> None:
 def test_host_that_was_not_fetched_names_the_command(tmp_path: Path) -> None:
     done = configure(tmp_path, LAPLACIAN_SIMPLIFY_HOST="meshlab-1999.01")
     assert_refused(done, "'meshlab-1999.01' is not there", "scripts/hosts meshlab-1999.01")
-
-
-def test_headers_can_be_installed_for_other_programs(tmp_path: Path) -> None:
-    """A program with its own vcglib finds vcg_ext by find_package and compiles against it."""
-    build, prefix, user = tmp_path / "build", tmp_path / "prefix", tmp_path / "user"
-    assert configure(build, MESHLAB_SOURCE_DIR=sources("2025.07")).returncode == 0
-    install = ["cmake", "--install", build, "--component", "headers", "--prefix", prefix]
-    subprocess.run(list(map(str, install)), check=True, capture_output=True)
-    shutil.copytree(Path(__file__).with_name("header_user"), user)
-    settings = [f"-DCMAKE_PREFIX_PATH={prefix}", f"-DVCGLIB_DIR={sources('2025.07') / 'src' / 'vcglib'}"]
-    generate = ["cmake", "-S", user, "-B", user / "build", "-G", "Ninja", *settings]
-    subprocess.run(generate, check=True, capture_output=True)
-    done = subprocess.run(["cmake", "--build", user / "build"], capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout

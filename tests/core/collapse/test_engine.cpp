@@ -403,18 +403,6 @@ class TestEngine : public QObject
         QVERIFY(same > result.positions.size() * 95 / 100);
     }
 
-#ifdef _OPENMP
-    /// So the environment's OMP_NUM_THREADS counts, too.
-    void zeroThreadsAreAsManyAsOpenMpUses()
-    {
-        const int before = omp_get_max_threads();
-        omp_set_num_threads(3);
-        QCOMPARE(ResolveThreads(0), 3);
-        QCOMPARE(ResolveThreads(2), 2);
-        omp_set_num_threads(before);
-    }
-#endif
-
     void everyInputFaceIsInTheOrderOnce()
     {
         const IndexedMesh sphere = test_meshes::Icosphere(4);

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/base/parallel.h"
+
+using namespace vcg_ext;
+
+class TestParallel : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void everyItemIsDoneOnce()
+    {
+        for (const int threads : {1, 2, 7})
+            for (const std::size_t items : {0, 1, 2, 1000}) {
+                std::vector<int> done(items);
+                ParallelFor(threads, items, [&](std::size_t item, int) { ++done[item]; });
+                QCOMPARE(done, std::vector<int>(items, 1));
+            }
+    }
+
+    /// Each thread may have a workspace of its own.
+    void threadsAreNumberedFromZero()
+    {
+        std::atomic<bool> inRange{true};
+        ParallelFor(3, 1000, [&](std::size_t, int thread) {
+            if (thread < 0 || thread >= 3) inRange = false;
+        });
+        QVERIFY(inRange);
+    }
+
+    /// Two threads that wait for each other would wait for ever if one did the work of both.
+    void itemsAreDoneAtTheSameTime()
+    {
+        std::atomic<int> arrived{0};
+        ParallelFor(2, 2, [&](std::size_t, int) {
+            ++arrived;
+            while (arrived < 2) {
+            }
+        });
+        QCOMPARE(arrived.load(), 2);
+    }
+
+    void rangesCoverAllItemsInOrder()
+    {
+        for (const int threads : {1, 3}) {
+            std::vector<std::pair<std::size_t, std::size_t>> ranges(4);
+            ParallelRanges(threads, 31, 10, [&](std::size_t begin, std::size_t end, int) {
+                ranges[begin / 10] = {begin, end};
+            });
+            const std::vector<std::pair<std::size_t, std::size_t>> expected{
+                {0, 10}, {10, 20}, {20, 30}, {30, 31}};
+            QVERIFY(ranges == expected);
+        }
+    }
+
+    void anExceptionArrivesAfterTheOtherItemsAreDone()
+    {
+        for (const int threads : {2, 7}) {
+            std::vector<int> done(100);
+            std::string message;
+            try {
+                ParallelFor(threads, done.size(), [&](std::size_t item, int) {
+                    if (item == 50) throw std::runtime_error("item 50");
+                    done[item] = 1;
+                });
+            } catch (const std::runtime_error& error) {
+                message = error.what();
+            }
+            QCOMPARE(message, std::string("item 50"));
+            QCOMPARE(std::accumulate(done.begin(), done.end(), 0), 99);
+        }
+    }
+
+    void everyThreadClaimsPlacesOfItsOwn()
+    {
+        std::uint32_t counter = 5;
+        std::vector<int> claimed(2005);
+        ParallelFor(4, 1000, [&](std::size_t, int) {
+            const std::uint32_t first = FetchAdd(counter, 2);
+            ++claimed[first];
+            ++claimed[first + 1];
+        });
+        QCOMPARE(counter, 2005u);
+        QCOMPARE(std::accumulate(claimed.begin() + 5, claimed.end(), 0), 2000);
+        QVERIFY(std::all_of(claimed.begin() + 5, claimed.end(), [](int times) { return times == 1; }));
+    }
+
+#ifdef _OPENMP
+    /// So the environment's OMP_NUM_THREADS counts, too.
+    void zeroThreadsAreAsManyAsOpenMpUses()
+    {
+        const int before = omp_get_max_threads();
+        omp_set_num_threads(3);
+        QCOMPARE(ResolveThreads(0), 3);
+        QCOMPARE(ResolveThreads(2), 2);
+        omp_set_num_threads(before);
+    }
+#endif
+};
+
+QTEST_APPLESS_MAIN(TestParallel)
+#include "test_parallel.moc"
