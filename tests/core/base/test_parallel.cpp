@@ -110,6 +110,45 @@ class TestParallel : public QObject
         omp_set_num_threads(before);
     }
 #endif
+
+    /// Above 4096 items several threads share the work.
+    void aScatterIsStable()
+    {
+        constexpr std::size_t kBuckets = 7;
+        for (const std::size_t items : {0, 10, 10000})
+            for (const int threads : {1, 2, 5}) {
+                const auto bucketOf = [](std::size_t i) { return i * i % kBuckets; };
+                std::vector<std::size_t> expected(items), scattered(items);
+                for (std::size_t i = 0; i < items; ++i) expected[i] = i;
+                std::stable_sort(expected.begin(), expected.end(),
+                                 [&](std::size_t a, std::size_t b) { return bucketOf(a) < bucketOf(b); });
+                const std::vector<std::uint32_t> first =
+                    StableScatter(threads, items, kBuckets, bucketOf,
+                                  [&](std::size_t i, std::uint32_t place) { scattered[place] = i; });
+                QVERIFY(scattered == expected);
+                QCOMPARE(first.size(), kBuckets + 1);
+                QCOMPARE(first.back(), static_cast<std::uint32_t>(items));
+                for (std::size_t bucket = 0; bucket < kBuckets; ++bucket)
+                    for (std::uint32_t i = first[bucket]; i < first[bucket + 1]; ++i)
+                        QCOMPARE(bucketOf(scattered[i]), bucket);
+            }
+    }
+
+    void aRangeHasItsVerticesOnly()
+    {
+        const VertexRange range{3, 5};
+        QVERIFY(!range.Has(2) && range.Has(3) && range.Has(4) && !range.Has(5));
+        QVERIFY(!(VertexRange{4, 4}.Has(4)));
+    }
+
+    /// A quarter of a million faces for each, but at least one and at most those asked for.
+    void moreThreadsThanPayAreNotUsed()
+    {
+        QCOMPARE(UsefulThreadCount(8, 0), 1);
+        QCOMPARE(UsefulThreadCount(8, 249999), 1);
+        QCOMPARE(UsefulThreadCount(8, 250000), 2);
+        QCOMPARE(UsefulThreadCount(2, 100000000), 2);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestParallel)

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +14,8 @@
 #include "vcg_ext/core/base/morton.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
+#include "vcg_ext/core/geometry/box.h"
+#include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext
@@ -45,7 +45,7 @@ class SweepLoader
     int threads_;
     Buffer<std::uint32_t> inputCorners_; ///< faces of every input vertex
     Buffer<std::uint32_t> indexOf_;      ///< record of every input vertex
-    std::array<double, 3> low_{}, high_{};
+    Box3<double> box_{};                 ///< of the vertices with faces
 
   public:
     SweepLoader(const MeshView& view, SweepState& state, int threads)
@@ -103,48 +103,25 @@ class SweepLoader
 
     void MeasureBox()
     {
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
-        struct Box {
-            std::array<double, 3> low{kInfinity, kInfinity, kInfinity};
-            std::array<double, 3> high{-kInfinity, -kInfinity, -kInfinity};
-        };
-        std::vector<Box> boxes(static_cast<std::size_t>(threads_));
+        std::vector<Box3<double>> boxes(static_cast<std::size_t>(threads_), EmptyBox<double>());
         ParallelRanges(threads_, view_.vertexCount, kGrain,
                        [&](std::size_t begin, std::size_t end, int thread) {
-                           Box box = boxes[static_cast<std::size_t>(thread)];
+                           Box3<double> box = boxes[static_cast<std::size_t>(thread)];
                            for (std::size_t v = begin; v < end; ++v) {
                                if (inputCorners_[v] == 0) continue;
                                const std::array<double, 3> p = view_.Position(v);
-                               for (std::size_t k = 0; k < 3; ++k) {
-                                   box.low[k] = std::min(box.low[k], p[k]);
-                                   box.high[k] = std::max(box.high[k], p[k]);
-                               }
+                               box.Add({p[0], p[1], p[2]});
                            }
                            boxes[static_cast<std::size_t>(thread)] = box;
                        });
-        for (std::size_t k = 0; k < 3; ++k) {
-            low_[k] = kInfinity;
-            high_[k] = -kInfinity;
-            for (const Box& box : boxes) {
-                low_[k] = std::min(low_[k], box.low[k]);
-                high_[k] = std::max(high_[k], box.high[k]);
-            }
-            if (!(low_[k] <= high_[k])) low_[k] = high_[k] = 0;
+        Box3<double> all = EmptyBox<double>();
+        for (const Box3<double>& box : boxes) {
+            if (box.IsEmpty()) continue;
+            all.Add(box.low);
+            all.Add(box.high);
         }
-        SetFrame();
-    }
-
-    void SetFrame()
-    {
-        double diagonal2 = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            state_.frame.center[k] = 0.5 * low_[k] + 0.5 * high_[k];
-            diagonal2 += (high_[k] - low_[k]) * (high_[k] - low_[k]);
-        }
-        const double unit = std::sqrt(diagonal2) / kFrameDiagonal;
-        if (!(unit > 0 && std::isfinite(1 / unit))) return;
-        state_.frame.unit = unit;
-        state_.frame.scale = 1 / unit;
+        if (!all.IsEmpty()) box_ = all;
+        state_.frame = FrameOf(box_);
     }
 
     void MakeVertices()
@@ -182,7 +159,7 @@ class SweepLoader
             if (HasRecord(v)) vertices[at++].origin = v;
         constexpr int kBitsPerAxis = 8;
         using Grid = MortonGrid<kBitsPerAxis>;
-        const Grid grid(low_, high_);
+        const Grid grid({box_.low.x, box_.low.y, box_.low.z}, {box_.high.x, box_.high.y, box_.high.z});
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 vertices[i].code = grid.Code(view_.Position(vertices[i].origin));

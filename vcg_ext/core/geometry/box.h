@@ -25,6 +25,7 @@ struct Box3 {
         low = low - Vector3<Real>{by, by, by};
         high = high + Vector3<Real>{by, by, by};
     }
+    bool IsEmpty() const { return !(low.x <= high.x); }
     bool Has(const Vector3<Real>& p) const { return Meets({p, p}); }
     bool Meets(const Box3& b) const
     {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
+#include "vcg_ext/core/geometry/box.h"
 #include "vcg_ext/core/geometry/vector.h"
 
 namespace vcg_ext
@@ -34,5 +36,22 @@ struct Frame {
                 static_cast<double>(p.z) * unit + center[2]};
     }
 };
+
+/// The frame in which \p box lies about the origin and has that diagonal. Where the diagonal is 0, or its
+/// inverse no number, the scale is 1. \pre a point has been added to the box
+inline Frame FrameOf(const Box3<double>& box)
+{
+    const Vector3<double> size = box.high - box.low;
+    double diagonal = Norm(size);
+    if (!std::isnormal(diagonal)) diagonal = std::hypot(size.x, size.y, size.z); // its square is no number
+    const double unit = diagonal / kFrameDiagonal;
+    Frame frame;
+    frame.center = {0.5 * box.low.x + 0.5 * box.high.x, 0.5 * box.low.y + 0.5 * box.high.y,
+                    0.5 * box.low.z + 0.5 * box.high.z};
+    if (!std::isnormal(unit) || !std::isnormal(1 / unit)) return frame;
+    frame.unit = unit;
+    frame.scale = 1 / unit;
+    return frame;
+}
 
 } // namespace vcg_ext

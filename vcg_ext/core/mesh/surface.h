@@ -12,6 +12,7 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/geometry/box.h"
 #include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/geometry/vector.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
@@ -153,25 +154,16 @@ inline void MakeRoomForCorners(SurfaceArrays& surface, std::uint32_t room)
     surface.corners = std::move(corners);
 }
 
-/// The frame in which the vertices on faces of \p view fill a box about the origin with that diagonal.
+/// The frame of the box of all vertices on faces of \p view.
 inline Frame FrameOf(const MeshView& view)
 {
-    Frame frame;
-    if (view.faceCount == 0) return frame;
-    std::array<double, 3> low = view.Position(view.triangles[0]), high = low;
+    if (view.faceCount == 0) return {};
+    Box3<double> box = EmptyBox<double>();
     for (std::size_t k = 0; k < 3 * view.faceCount; ++k) {
         const auto p = view.Position(view.triangles[k]);
-        for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], p[i]);
-            high[i] = std::max(high[i], p[i]);
-        }
+        box.Add({p[0], p[1], p[2]});
     }
-    for (std::size_t i = 0; i < 3; ++i) frame.center[i] = low[i] + (high[i] - low[i]) / 2;
-    const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    if (!(diagonal > 0)) return frame;
-    frame.scale = kFrameDiagonal / diagonal;
-    frame.unit = diagonal / kFrameDiagonal;
-    return frame;
+    return FrameOf(box);
 }
 
 /// Is every edge of \p v on exactly two faces, one in each direction?
