@@ -16,3 +16,19 @@ build_target() {
 }
 
 build_preset() { build_target "$1" all; }
+
+# build_presets PRESET...: as many at a time as there are processors. A plugin is hardly more than one file that takes
+# a minute and a half, so that one preset alone would keep one processor busy.
+build_presets() {
+    local preset running=0 status=0
+    for preset in "$@"; do
+        if ((running == $(nproc))); then
+            wait -n || status=$?
+            running=$((running - 1))
+        fi
+        CMAKE_BUILD_PARALLEL_LEVEL=1 build_preset "$preset" &
+        running=$((running + 1))
+    done
+    for (( ; running > 0; --running)); do wait -n || status=$?; done
+    return "$status"
+}
