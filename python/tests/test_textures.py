@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The textures of the input are those of the output, whatever they are called; one that is missing is said."""
 
-import os
 from pathlib import Path
 
 import pytest
