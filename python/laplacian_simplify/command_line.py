@@ -10,7 +10,6 @@ import argparse
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
-from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -35,7 +34,7 @@ def main(arguments: list[str] | None = None) -> int:
     code = STOPPED
     try:
         with signals_held():
-            code = _main(make_parser(version("laplacian-simplify")).parse_args(arguments))
+            code = _main(make_parser().parse_args(arguments))
     except KeyboardInterrupt:
         pass  # it came when all was done
     return code

@@ -58,14 +58,23 @@ class OneLineParser(argparse.ArgumentParser):
         self.exit(2, f"{self.prog}: error: {message} (see {self.prog} --help)\n")
 
 
-def make_parser(version: str) -> argparse.ArgumentParser:
+class ShowVersion(argparse.Action):
+    """Looks the version up only where it is asked for: that takes longer than everything else here."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
+        from importlib.metadata import version
+
+        parser.exit(0, f"{parser.prog} {version('laplacian-simplify')}\n")
+
+
+def make_parser() -> argparse.ArgumentParser:
     """The parser of the whole command; the chosen subcommand is in ``command``."""
     parser = OneLineParser(
         prog="laplacian-simplify",
         description="Simplifies meshes so that creases, corners and details stay longest.",
         allow_abbrev=False,
     )
-    parser.add_argument("--version", action="version", version=f"%(prog)s {version}")
+    parser.add_argument("--version", action=ShowVersion, nargs=0, help="show the version and exit")
     subparsers = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=OneLineParser)
     for command in commands():
         row = command.filter

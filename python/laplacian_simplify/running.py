@@ -7,7 +7,6 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from .files.errors import printable
-from .files.reading import read_mesh
 from .plugin import load
 from .report import Report
 from .tables import Filter, filter_named
@@ -36,6 +35,8 @@ def run(filter_name: str, report_type: type[R], mesh: MeshSource, **values: Any)
     numbers = checked(row, values)
     if not isinstance(mesh, str | PathLike):
         return report_type.of(mesh, apply(row, mesh, numbers))
+    from .files.reading import read_mesh
+
     mesh_set = read_mesh(mesh)
     try:
         return report_type.of(mesh_set, apply(row, mesh_set, numbers))

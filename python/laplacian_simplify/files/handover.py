@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A checked mesh becomes one of MeshLab: through a PLY file of the kind that MeshLab reads exactly."""
 
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -11,7 +12,8 @@ from ..turns import forget_failures, plain_path, with_own_folder
 from .errors import MeshFileError
 from .mesh_data import MeshData
 from .source import Source
-from .textures import encoded, leave_out_damaged
+from .texture_names import encoded
+from .textures import leave_out_damaged
 
 if TYPE_CHECKING:
     import pymeshlab
@@ -30,20 +32,31 @@ def to_mesh_set(data: MeshData, source: Source) -> "pymeshlab.MeshSet":
     Raises:
         MeshFileError: MeshLab did not take over what was read.
     """
-    path = source.path if data.as_it_stands else _write_for_meshlab(data, source.scratch)
-    mesh_set = with_own_folder(_load, path)
+    mesh_set = _from_the_file_itself(data, source) if data.as_it_stands else None
+    if mesh_set is None:
+        mesh_set = with_own_folder(_load, _write_for_meshlab(data, source.scratch))
     if leave_out_damaged(data, mesh_set.current_mesh().textures()):
         mesh_set = with_own_folder(_load, _write_for_meshlab(data, source.scratch))
     mesh = mesh_set.current_mesh()
     mesh.set_label(Path(source.shown).name.encode("utf-8", "replace").decode())
-    found = mesh.vertex_number(), mesh.face_number()
-    expected = len(data.vertices), len(data.triangles)
-    if found != expected or not _same_box(mesh, data):
+    if not _is_taken_over(mesh, data):
+        counts = f"{mesh.vertex_number()} vertices and {mesh.face_number()} faces"
+        expected = f"{len(data.vertices)} and {len(data.triangles)}"
         raise MeshFileError(
-            f"{source.shown} cannot be read: MeshLab made {found[0]} vertices and {found[1]} faces of {expected[0]} "
-            f"and {expected[1]}, or moved them; please report this"
+            f"{source.shown} cannot be read: MeshLab made {counts} of {expected}, or moved them; please report this"
         )
     return mesh_set
+
+
+def _from_the_file_itself(data: MeshData, source: Source) -> "pymeshlab.MeshSet | None":
+    """What MeshLab's reader makes of the file; nothing where it is not what is in it."""
+    import pymeshlab
+
+    with suppress(pymeshlab.PyMeshLabException):
+        mesh_set = with_own_folder(_load, source.path)
+        if _is_taken_over(mesh_set.current_mesh(), data):
+            return mesh_set
+    return None
 
 
 def _load(path: Path) -> "pymeshlab.MeshSet":
@@ -56,7 +69,10 @@ def _load(path: Path) -> "pymeshlab.MeshSet":
     return mesh_set
 
 
-def _same_box(mesh: "pymeshlab.Mesh", data: MeshData) -> bool:
+def _is_taken_over(mesh: "pymeshlab.Mesh", data: MeshData) -> bool:
+    """Whether MeshLab has as many vertices and faces, in the same box."""
+    if (mesh.vertex_number(), mesh.face_number()) != (len(data.vertices), len(data.triangles)):
+        return False
     if not len(data.vertices):
         return True
     box = mesh.bounding_box()

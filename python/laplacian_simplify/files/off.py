@@ -14,6 +14,7 @@ from .source import Source
 from .text_lines import Lines
 from .triangulate import triangulate
 
+_LARGEST_INDEX = 2**53
 _HEADER = re.compile(r"((?P<st>ST)|(?P<c>C)|(?P<n>N)|(?P<four>4)|(?P<many>n))*OFF", re.ASCII)
 
 
@@ -109,8 +110,9 @@ def _faces(lines: Lines, first: int, count: int, data: MeshData) -> None:
     within = np.arange(int(corners.sum())) - np.repeat(np.cumsum(corners) - corners, corners)
     face = np.repeat(np.arange(count), corners)
     values = numbers[np.repeat(starts + 1, corners) + within]
-    if (values != np.floor(values)).any():
-        bad = int(face[np.argmax(values != np.floor(values))])
+    sound = (values == np.floor(values)) & (np.abs(values) < _LARGEST_INDEX)
+    if not sound.all():
+        bad = int(face[np.argmin(sound)])
         raise DamageError(f"{lines.name(first + bad)}, face {bad}", "a vertex index is no whole number")
     indices = values.astype(np.int64)
     check_indices(indices, len(data.vertices), face)

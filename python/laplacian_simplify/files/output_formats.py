@@ -1,15 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which formats can be written, what each keeps of a mesh, and how far from the origin it holds coordinates."""
+"""Which formats can be written, what each keeps of a mesh, and with how many digits."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from .errors import MeshFileError, printable
-from .mesh_data import Floats
 
 if TYPE_CHECKING:
     import pymeshlab
@@ -20,10 +17,6 @@ _TEXTURED = ("texture coordinates", "textures")
 
 _DOUBLE, _SINGLE, _SIX_DIGITS = 2.0**-53, 2.0**-24, 0.5e-5
 """Largest relative error of a coordinate that is written."""
-
-TOLERABLE_SHIFT = 1e-5
-"""Part of the diagonal of the bounding box by which writing may move a vertex: a hundredth of an edge of a mesh of a
-million faces."""
 
 
 @dataclass(frozen=True)
@@ -37,10 +30,6 @@ class OutputFormat:
     absolute_error: float = 0
     in_own_process: bool = True
     """MeshLab's writer may end the process that calls it, or has to be watched."""
-
-    def shift(self, vertices: Floats) -> float:
-        """The largest change of a coordinate when it is written."""
-        return float(np.abs(vertices).max(initial=0)) * self.relative_error + self.absolute_error
 
 
 OUTPUT_FORMATS = (
@@ -75,25 +64,6 @@ def output_format(path: str | Path) -> OutputFormat:
     known = ", ".join(row.extension for row in OUTPUT_FORMATS)
     what = f"the format '{printable(suffix)}' is unknown" if suffix else "its name has no extension"
     raise MeshFileError(f"{printable(path)} cannot be written: {what}; known are {known}")
-
-
-def check_digits(row: OutputFormat, vertices: Floats, shown: object) -> None:
-    """Refuses a format that would move vertices when it rounds their coordinates.
-
-    Raises:
-        MeshFileError: names the file and what helps.
-    """
-    if not len(vertices):
-        return
-    low, high = vertices.min(axis=0), vertices.max(axis=0)
-    diagonal = float(np.linalg.norm(high - low))
-    if row.shift(vertices) <= TOLERABLE_SHIFT * diagonal:
-        return
-    where = "(" + ", ".join(f"{value:.6g}" for value in (low + high) / 2) + ")"
-    raise MeshFileError(
-        f"{printable(shown)} cannot be written: .{row.extension} has too few digits for a mesh of size {diagonal:.3g} "
-        f"around {where}; write PLY, or move the mesh to the origin first"
-    )
 
 
 def lost(row: OutputFormat, mesh: "pymeshlab.Mesh") -> list[str]:

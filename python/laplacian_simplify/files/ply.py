@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """PLY files."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,10 @@ _FAUX_SHIFT = 18
 _NONE = Lists(np.empty(0), np.empty(0, np.int64))  # stands for a column of numbers that is not there
 
 # What MeshLab's reader takes as it stands, in little-endian files of triangles: everything else is written anew for it.
+_PLAIN_HEADER = re.compile(
+    rb"ply\nformat binary_little_endian 1\.0\n"
+    rb"((comment|obj_info) [ -~]*\n|element \w+ \d+\n|property [\w ]+\n)*end_header\n"
+)
 _PLAIN_VERTEX = {
     **dict.fromkeys(("x", "y", "z", "nx", "ny", "nz", "quality"), ("f4", "f8")),
     **dict.fromkeys(("red", "green", "blue", "alpha"), ("u1",)),
@@ -54,7 +59,7 @@ def read_ply(source: Source) -> MeshData | None:
     edges = header.element("edge")
     if edges and edges.rows:
         data.notes.append(f"{counted(edges.rows, 'edge')} left out")
-    data.as_it_stands = _is_plain(header, tables) and source.is_the_file_itself
+    data.as_it_stands = source.is_the_file_itself and _is_plain(content[: header.size], header, tables)
     return data
 
 
@@ -199,10 +204,10 @@ def _strips(columns: Columns, vertices: int) -> Integers:
     return np.array(triangles, dtype=np.int64).reshape(-1, 3)
 
 
-def _is_plain(header: Header, tables: dict[str, Columns]) -> bool:
+def _is_plain(text: bytes, header: Header, tables: dict[str, Columns]) -> bool:
     """Whether MeshLab's reader takes the file exactly as it stands."""
     names = [element.name for element in header.elements]
-    if header.byte_order != "<" or header.textures or names != ["vertex", "face"]:
+    if header.byte_order != "<" or header.textures or names != ["vertex", "face"] or not _PLAIN_HEADER.fullmatch(text):
         return False
     vertex, face = header.elements
     lists = tables["face"].get("vertex_indices")

@@ -267,6 +267,6 @@ class _Text:
 
 
 def _length(number: float, element: Element, row: int) -> int:
-    if number != number // 1:
+    if not float(number).is_integer():
         raise DamageError(f"{element.name} {row}", f"a list of {number:g} numbers")
     return int(number)

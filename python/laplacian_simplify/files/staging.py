@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from .errors import MeshFileError, printable
-from .textures import decoded, encoded, is_inside
+from .texture_names import decoded, encoded, is_inside
 
 _HEAD = 1 << 16  # bytes at the start of a file, among which names of other files are
 

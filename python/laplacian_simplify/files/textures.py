@@ -1,13 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Images that meshes refer to: found, named so that MeshLab keeps the name, and given their own name again.
-
-MeshLab's PLY reader leaves blanks out of names and its OBJ reader drops such a texture. Between reading and writing
-a texture therefore has its name in percent encoding, which is the name itself where that is plain.
-"""
+"""Images that meshes refer to."""
 
 import os
-import re
 import stat
 from collections.abc import Collection, Sequence
 from pathlib import Path
@@ -16,6 +11,7 @@ import numpy as np
 
 from .errors import printable
 from .mesh_data import MeshData, Texture
+from .texture_names import encoded, is_inside
 
 _SIGNATURES = {
     ".bmp": (b"BM",),
@@ -29,23 +25,6 @@ _SIGNATURES = {
     ".xpm": (b"",),
 }
 """What MeshLab loads, and how such a file starts."""
-
-
-def encoded(name: str) -> str:
-    """The name that a texture has between reading and writing."""
-    raw = name.encode("utf-8", "surrogateescape")
-    return re.sub(rb"[^A-Za-z0-9_.\-]", lambda found: b"%%%02X" % found[0][0], raw).decode("ascii")
-
-
-def decoded(name: str) -> str:
-    """The name that a texture had before ``encoded``."""
-    raw = re.sub(rb"%([0-9A-F]{2})", lambda found: bytes([int(found[1], 16)]), name.encode("utf-8", "surrogateescape"))
-    return raw.decode("utf-8", "surrogateescape")
-
-
-def is_inside(name: str) -> bool:
-    """Whether a relative name stays in the folder that it is relative to."""
-    return not name.startswith("/") and ".." not in name.split("/") and not re.match(r"[A-Za-z]:", name)
 
 
 def use_textures(data: MeshData, names: Sequence[str], folder: Path) -> None:

@@ -12,16 +12,17 @@ from typing import TYPE_CHECKING, Any
 
 from ..child import Child, ChildCrashError, Stage
 from ..turns import forget_failures, plain_path, with_own_folder
+from .digits import check_digits
 from .errors import DamageError, MeshFileError, printable
 from .mesh_data import Texture
 from .obj import read_obj
 from .off import read_off
-from .output_formats import OutputFormat, check_digits, lost, output_format
+from .output_formats import OutputFormat, lost, output_format
 from .ply import read_ply
 from .reading import MeshFileWarning
 from .source import Source
 from .staging import check_room, staged_output
-from .textures import encoded
+from .texture_names import encoded
 
 if TYPE_CHECKING:
     import pymeshlab
