@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What reading costs: processor time of this version against that of another one, in pairs, on files of a million faces.
+"""What reading costs: processor time of this version against another, in pairs, on files of a million faces.
 
 scripts/python benchmarks/files/read_in_pairs.py OTHER [--pairs N] [--faces N]
 
