@@ -43,7 +43,9 @@ class ChildCrashError(Exception):
 class Child:
     """A process that runs one function of this package."""
 
-    def __init__(self, function: str, arguments: Job, *, log: bool = False, standard_input: bool = False) -> None:
+    def __init__(
+        self, function: str, arguments: Job, *, log: bool = False, standard_input: bool = False, scratch: str = ""
+    ) -> None:
         """Starts it.
 
         Args:
@@ -53,15 +55,17 @@ class Child:
             log: keep what it writes to the standard streams as text in self.log, which has to be read to the end;
                 otherwise it is thrown away.
             standard_input: it may read that of this process.
+            scratch: where it makes its scratch folders, which stay there when it is killed.
         """
         self._answers, answers = os.pipe()
         job = {"function": function, "arguments": arguments, "parent": os.getpid(), "answers": answers}
         words = [sys.executable, "-P", "-c", _BOOT, json.dumps(job), json.dumps(sys.path)]
         sink = subprocess.PIPE if log else subprocess.DEVNULL
         input_of = None if standard_input else subprocess.DEVNULL
+        environment = {**os.environ, "TMPDIR": scratch} if scratch else None
         try:
             self._process = subprocess.Popen(
-                words, stdin=input_of, stdout=sink, stderr=subprocess.STDOUT, pass_fds=[answers]
+                words, stdin=input_of, stdout=sink, stderr=subprocess.STDOUT, pass_fds=[answers], env=environment
             )
         except BaseException:
             os.close(self._answers)

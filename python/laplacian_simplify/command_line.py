@@ -17,6 +17,7 @@ from typing import Any
 from .file_arguments import Files, files_of
 from .files.errors import printable
 from .files.output_formats import output_format
+from .files.source import scratch_named
 from .files.staging import check_target, staged_output
 from .following import in_a_process
 from .options import SHORT_NAMES, WITHOUT_OPTION, Command, make_parser
@@ -77,16 +78,17 @@ def _run(command: Command, files: Files, values: Mapping[str, Any]) -> dict[str,
     with ExitStack() as stack:
         staged_report = stack.enter_context(staged_output(files.json)) if files.json else None
         staged = stack.enter_context(_staged(files))
-        answer = in_a_process(
-            {
-                "function": command.function.__name__,
-                "source": files.input,
-                "staged": str(staged),
-                "shown_source": files.shown_input,
-                "shown_target": files.shown_output,
-                "values": dict(values),
-            }
-        )
+        arguments = {
+            "function": command.function.__name__,
+            "source": files.input,
+            "staged": str(staged),
+            "shown_source": files.shown_input,
+            "shown_target": files.shown_output,
+            "values": dict(values),
+        }
+        with scratch_named(files.shown_input):
+            scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
+        answer = in_a_process(arguments, scratch)
         if staged_report:
             staged_report.write_text(_json(answer["report"]), encoding="utf-8")
     return answer

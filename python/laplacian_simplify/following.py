@@ -18,15 +18,15 @@ Progress = Callable[[int, str], None]
 _PROGRESS = re.compile(rb"LOG: \d+ (.*?)\s*\[ (\d+)% \]")
 
 
-def in_a_process(arguments: dict[str, Any]) -> dict[str, Any]:
-    """Runs ``work.run`` in a process of its own; progress is shown on a terminal.
+def in_a_process(arguments: dict[str, Any], scratch: str) -> dict[str, Any]:
+    """Runs ``work.run`` in a process of its own, with a folder for its scratch files; a terminal shows progress.
 
     Raises:
         MeshFileError: the process crashed; the sentence says over which file.
         OSError, ValueError, RuntimeError: whatever it raised, with its text.
         KeyboardInterrupt: a signal came; the process is gone.
     """
-    child = Child("work:run", arguments, log=True, standard_input=True)
+    child = Child("work:run", arguments, log=True, standard_input=True, scratch=scratch)
     try:
         with _bar() as progress, signals_let_in():
             _follow(child, progress)

@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 
 from . import filters as functions
 from .report import Report
+from .streams import show
 from .tables import Filter, Parameter, filter_named, filters
 
 
@@ -64,7 +65,8 @@ class ShowVersion(argparse.Action):
     def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
         from importlib.metadata import version
 
-        parser.exit(0, f"{parser.prog} {version('laplacian-simplify')}\n")
+        show(f"{parser.prog} {version('laplacian-simplify')}")
+        parser.exit(0)
 
 
 def make_parser() -> argparse.ArgumentParser:

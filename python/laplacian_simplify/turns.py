@@ -24,10 +24,17 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 _TURN = threading.RLock()
-# A process that is copied while another thread is in pymeshlab would never get its turn.
-os.register_at_fork(before=_TURN.acquire, after_in_parent=_TURN.release, after_in_child=_TURN.release)
 _CLONE_FS = 0x200
 _ALL_CATEGORIES = 0x1FBF  # LC_ALL_MASK of glibc
+
+
+def _begin_anew() -> None:
+    """In a copy of the process nobody else has the turn, although a thread of the original may have had it."""
+    global _TURN
+    _TURN = threading.RLock()
+
+
+os.register_at_fork(after_in_child=_begin_anew)
 
 
 @contextmanager

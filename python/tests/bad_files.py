@@ -30,6 +30,11 @@ def _flange() -> bytes:
     return (SAMPLE_MESHES / "flange.ply").read_bytes()
 
 
+def _header_size() -> int:
+    end = b"end_header\n"
+    return _flange().index(end) + len(end)
+
+
 def _with_nan_in_first_vertex(ply: bytes) -> bytes:
     start = ply.index(b"end_header\n") + len(b"end_header\n")
     return ply[:start] + struct.pack("<f", float("nan")) + ply[start + 4 :]
@@ -41,7 +46,7 @@ def bad_files() -> dict[str, tuple[bytes, str]]:
         "empty.ply": (b"", "the file is empty"),
         "empty.obj": (b"", "the file is empty"),
         "cut_in_faces.ply": (_flange()[:300_000], "face 12130: the file ends after 12,130 of 23,680 rows"),
-        "cut_in_vertices.ply": (_flange()[:50_000], "but 49,823 are left; the file is cut off"),
+        "cut_in_vertices.ply": (_flange()[:50_000], f"but {50_000 - _header_size():,} are left; the file is cut off"),
         "cut_in_header.ply": (_flange()[:60], "it has no line 'end_header'"),
         "one_byte_short.ply": (_flange()[:-1], "face 23679: the file ends after 23,679 of 23,680 rows"),
         "one_face_short.ply": (_ascii_square(face=""), "face 1: the file ends after 1 of 2 rows"),

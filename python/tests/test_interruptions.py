@@ -94,7 +94,8 @@ def test_a_signal_that_is_ignored_stays_so(tmp_path: Path) -> None:
 
 
 def test_the_worker_ends_with_the_command(tmp_path: Path) -> None:
-    process = subprocess.Popen([*COMMAND, *LONG], cwd=tmp_path, stderr=subprocess.DEVNULL)
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}  # nobody is left to clean up
+    process = subprocess.Popen([*COMMAND, *LONG], cwd=tmp_path, env=environment, stderr=subprocess.DEVNULL)
     _wait_until(lambda: list(tmp_path.iterdir()))
     (worker,) = _wait_until(lambda: _children(process.pid))  # type: ignore[misc]
     process.kill()

@@ -50,20 +50,25 @@ def test_no_progress_elsewhere(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_stopped_run_leaves_nothing(stop: signal.Signals, tmp_path: Path) -> None:
-    words = [sys.executable, "-P", "-m", "laplacian_simplify", "simplify", SCAN, tmp_path / "out.ply"]
+    words = [sys.executable, "-P", "-m", "laplacian_simplify", "simplify", SCAN, tmp_path / "output" / "out.ply"]
     words += ["--percent", "1", "--effort", "best", "--threads", "1"]
+    output, scratch = tmp_path / "output", tmp_path / "scratch"
+    output.mkdir()
+    scratch.mkdir()
     # A shell starts its background jobs with Ctrl+C ignored, and what is ignored stays so in their children.
     process = subprocess.Popen(
         list(map(str, words)),
+        env={**os.environ, "TMPDIR": str(scratch)},
         stderr=subprocess.PIPE,
         text=True,
         preexec_fn=lambda: signal.signal(stop, signal.SIG_DFL),
     )
     deadline = time.monotonic() + 60
-    while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
+    while not list(output.iterdir()) and time.monotonic() < deadline:
         time.sleep(0.01)
     process.send_signal(stop)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130
     assert said == "laplacian-simplify: error: stopped; nothing was written\n"
-    assert list(tmp_path.iterdir()) == []
+    assert list(output.iterdir()) == []
+    assert list(scratch.iterdir()) == []

@@ -11,7 +11,7 @@ import numpy as np
 from ..turns import forget_failures, plain_path, with_own_folder
 from .errors import MeshFileError
 from .mesh_data import MeshData
-from .source import Source
+from .source import Source, scratch_named
 from .texture_names import encoded
 from .textures import leave_out_damaged
 
@@ -34,9 +34,9 @@ def to_mesh_set(data: MeshData, source: Source) -> "pymeshlab.MeshSet":
     """
     mesh_set = _from_the_file_itself(data, source) if data.as_it_stands else None
     if mesh_set is None:
-        mesh_set = with_own_folder(_load, _write_for_meshlab(data, source.scratch))
+        mesh_set = with_own_folder(_load, _written_for_meshlab(data, source))
     if leave_out_damaged(data, mesh_set.current_mesh().textures()):
-        mesh_set = with_own_folder(_load, _write_for_meshlab(data, source.scratch))
+        mesh_set = with_own_folder(_load, _written_for_meshlab(data, source))
     mesh = mesh_set.current_mesh()
     mesh.set_label(Path(source.shown).name.encode("utf-8", "replace").decode())
     if not _is_taken_over(mesh, data):
@@ -80,8 +80,13 @@ def _is_taken_over(mesh: "pymeshlab.Mesh", data: MeshData) -> bool:
     return bool(np.allclose(box.min(), low, rtol=1e-12, atol=0) and np.allclose(box.max(), high, rtol=1e-12, atol=0))
 
 
-def _write_for_meshlab(data: MeshData, folder: Path) -> Path:
-    """Writes the mesh, with links to its textures beside it."""
+def _written_for_meshlab(data: MeshData, source: Source) -> Path:
+    """The mesh as a file, with links to its textures beside it."""
+    with scratch_named(source.shown):
+        return _write(data, source.scratch)
+
+
+def _write(data: MeshData, folder: Path) -> Path:
     names = _textures(data, folder)
     vertex: list[Column] = [(name, "f8", data.vertices[:, k]) for k, name in enumerate("xyz")]
     if data.vertex_normals is not None:
@@ -113,7 +118,7 @@ def _write_for_meshlab(data: MeshData, folder: Path) -> Path:
             file.write(f"element {element} {rows[element]}\n{_properties(columns)}".encode())
         file.write(b"end_header\n")
         for table in (vertex_table, *face_tables):
-            table.tofile(file)
+            file.write(table.view(np.uint8).data)
     return path
 
 

@@ -9,10 +9,10 @@ import stat
 import sys
 import zlib
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 from typing import BinaryIO
 
 from .errors import DamageError, MeshFileError, printable
@@ -55,7 +55,9 @@ def open_source(given: str | os.PathLike[str]) -> Iterator[Source]:
     """
     name = os.fspath(given)
     shown = "standard input" if name == STANDARD_INPUT else printable(name)
-    with TemporaryDirectory(prefix="laplacian-simplify-") as folder:
+    with ExitStack() as stack:
+        with scratch_named(shown):
+            folder = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
         scratch = Path(folder)
         try:
             if name == STANDARD_INPUT:
@@ -66,13 +68,28 @@ def open_source(given: str | os.PathLike[str]) -> Iterator[Source]:
             raise damage.named(shown) from None
 
 
+@contextmanager
+def scratch_named(shown: str) -> Iterator[None]:
+    """What the system says about the folder for scratch files, as a sentence about the file that is read."""
+    try:
+        yield
+    except MeshFileError:
+        raise
+    except OSError as error:
+        where = error.filename or gettempdir()
+        raise MeshFileError(
+            f"{shown} cannot be read: there is no room for a copy in {printable(where)} ({error.strerror or error}); "
+            "free space there, or set TMPDIR to another folder"
+        ) from None
+
+
 def _file(name: str, shown: str, scratch: Path) -> Source:
     path = Path.cwd() / name
     start = _start_of(path, shown)
     source = Source(shown, path, path.parent, scratch, _extension(path.name), _is_plain_name(path))
     if start.startswith(_GZIP):
         source.path, source.is_the_file_itself = scratch / "unpacked", False
-        with path.open("rb") as file:
+        with path.open("rb") as file, scratch_named(shown):
             _unpack(file, source.path)
         source.format = _extension(re.sub(r"\.gz$", "", path.name, flags=re.I))
         start = _start_of(source.path, shown)
@@ -90,13 +107,11 @@ def _standard_input(shown: str, scratch: Path) -> Source:
     if stream is None or stream.isatty():
         raise MeshFileError("standard input cannot be read: it is closed or a terminal; pipe a mesh into the command")
     path = scratch / "standard_input"
-    try:
+    with scratch_named(shown):
         _copy(stream, path)
-    except OSError as error:
-        raise MeshFileError(f"standard input cannot be read: {error.strerror}") from None
     start = _start_of(path, shown)
     if start.startswith(_GZIP):
-        with path.open("rb") as file:
+        with path.open("rb") as file, scratch_named(shown):
             _unpack(file, scratch / "unpacked")
         path = scratch / "unpacked"
         start = _start_of(path, shown)
