@@ -10,7 +10,7 @@ from mesh_files import PNG
 from reading_checks import names_in, reading_of, write
 
 import laplacian_simplify as ls
-from laplacian_simplify.files.textures import decoded, encoded
+from laplacian_simplify.files.texture_names import decoded, encoded
 
 SQUARE = (
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
