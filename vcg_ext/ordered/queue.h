@@ -272,9 +272,9 @@ class CollapseRun : public vcg::BaseParameterClass
     {
         vcg::tri::RequirePerVertexMark(mesh_);
         const auto Faces = [this] { return static_cast<std::size_t>(mesh_.fn); };
-        if (Faces() <= targetFaces) return StopReason::Target;
-        optimization_.template Init<Collapse>();
         const std::size_t before = Faces();
+        if (before <= targetFaces) return StopReason::Target;
+        optimization_.template Init<Collapse>();
         constexpr std::size_t kSteps = 100;
         const std::size_t step = std::max<std::size_t>(1, (before - targetFaces) / kSteps);
         while (Faces() > targetFaces) {

@@ -190,7 +190,7 @@ void TestClassification::refusesByName()
     QCOMPARE(refusal(parameters), std::string("selected_classes = 2 is outside [1, 1]"));
     parameters = {};
     parameters.minimumFeatureNeighbours = 0;
-    QCOMPARE(refusal(parameters), std::string("minimum_feature_neighbours = 0 is outside [1, )"));
+    QCOMPARE(refusal(parameters), std::string("minimum_feature_neighbours = 0 is outside [1, infinity)"));
     parameters = {};
     parameters.refinementFloor = nan;
     QVERIFY(refusal(parameters).find("refinement_floor") == 0);
