@@ -163,7 +163,7 @@ class Engine
 };
 
 /// The queue-ordered collapse before its first collapse, and its formulas at any place.
-class Ordered : GuidedCollapse<OrderedMesh>
+class Ordered : public GuidedCollapse<OrderedMesh>
 {
     static GuidedParameters Parameters(const MeshView& view, const Setting& setting, CollapsibleMesh& mesh)
     {
@@ -203,7 +203,8 @@ class Ordered : GuidedCollapse<OrderedMesh>
     }
     std::optional<CollapseAssessment> AssessmentOf(std::uint32_t removed, std::uint32_t survivor)
     {
-        return Assess(Vertex(removed), Vertex(survivor), std::numeric_limits<double>::infinity());
+        constexpr double kAnything = std::numeric_limits<double>::infinity();
+        return Assess(Vertex(removed), Vertex(survivor), kAnything);
     }
     /// Of the edge that was priced last with its new vertex at \p x.
     std::optional<double> Penalty(const Vector3<double>& x) const { return PenaltyAt(x); }
@@ -375,6 +376,35 @@ class TestGuided : public QObject
         // Where a face turns by just 78 degrees, as on meshes in rows, the last digit decides.
         QVERIFY2(outcome.refusedByOne * 1000 <= outcome.edges,
                  qPrintable(QString("%1 of %2").arg(outcome.refusedByOne).arg(outcome.edges)));
+    }
+
+    void whereTheBestPlaceIsRefusedTheCheapestOfThreeOthersIsTaken()
+    {
+        const Setting& defaults = kSettings[0];
+        const Input input = InputOf(test_meshes::SampleMesh("bracket_quads.ply"), defaults);
+        const MeshView view = input.View();
+        CollapsibleMesh mesh(view);
+        Ordered ordered(view, defaults, mesh);
+        Engine engine(view, defaults); // for its edges
+        int best = 0, others = 0, none = 0;
+        engine.ForEachEdge([&](std::uint32_t removed, std::uint32_t survivor, const Price&) {
+            const Price price = ordered.PriceOf(removed, survivor);
+            const auto assessed = ordered.AssessmentOf(removed, survivor);
+            if (price.placed) {
+                ++best;
+                QVERIFY(assessed && assessed->cost == price.placed->cost);
+                return;
+            }
+            const EdgeEnd<double>&a = ordered.EndAt(removed), &b = ordered.EndAt(survivor);
+            const Vector3<double> half = HalfEdgeVector(a, b);
+            double cheapest = std::numeric_limits<double>::infinity();
+            for (const Vector3<double>& offset : {Vector3<double>{}, half, -1.0 * half})
+                if (const auto penalty = ordered.Penalty(a.position + half + offset))
+                    cheapest = std::min(cheapest, *penalty * EdgeCost(a, b, half, offset));
+            ++(assessed ? others : none);
+            QCOMPARE(assessed ? assessed->cost : std::numeric_limits<double>::infinity(), cheapest);
+        });
+        QVERIFY(best > 0 && others > 0 && none > 0);
     }
 };
 
