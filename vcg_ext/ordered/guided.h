@@ -72,6 +72,15 @@ class GuidedCollapse
         return QualityPenalty(*worst2);
     }
 
+    /// The new vertex as the engine would place it; gathers starFaces_.
+    std::optional<Placed> BestPlace(VertexType& removed, VertexType& kept)
+    {
+        const StarAreas<double> areas = stars_.Gather(removed, kept, starFaces_);
+        return PlaceEdge(
+            EndOf(removed), EndOf(kept), IsFixed(kept), GuidedCollapse::Estimate(removed, kept), DBL_MAX,
+            [&] { return areas; }, [this](const Vector3d& x) { return PenaltyAt(x); });
+    }
+
     /// Where the best place is refused one of these may do, so that targets stay within reach.
     std::optional<Placed> CheapestOther(const End& a, const End& b) const
     {
@@ -124,12 +133,8 @@ class GuidedCollapse
 
     std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept, double)
     {
-        const StarAreas<double> areas = stars_.Gather(removed, kept, starFaces_);
-        const End &a = EndOf(removed), &b = EndOf(kept);
-        std::optional<Placed> placed = PlaceEdge(
-            a, b, IsFixed(kept), GuidedCollapse::Estimate(removed, kept), DBL_MAX, [&] { return areas; },
-            [this](const Vector3d& x) { return PenaltyAt(x); });
-        if (!placed && !IsFixed(kept)) placed = CheapestOther(a, b);
+        std::optional<Placed> placed = BestPlace(removed, kept);
+        if (!placed && !IsFixed(kept)) placed = CheapestOther(EndOf(removed), EndOf(kept));
         if (!placed) return std::nullopt;
         return CollapseAssessment{placed->cost, placed->position, true, placed->atA};
     }

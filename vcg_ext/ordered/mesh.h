@@ -92,7 +92,8 @@ class CollapsibleMesh
 
     OrderedMesh& mesh() { return mesh_; }
 
-    /// Vertices that must not move: those of the view and, where the border is locked, all on it.
+    /// Vertices that must not move: those of the view and, where the border is locked, all on it or on other
+    /// edges at which the faces do not close up.
     std::vector<std::uint8_t> FixedVertices(Boundary boundary)
     {
         std::vector<std::uint8_t> fixed;
@@ -102,7 +103,7 @@ class CollapsibleMesh
         fixed.resize(view_.vertexCount, 0);
         RingEdges<OrderedMesh> ring(mesh_);
         for (std::size_t v = 0; v < view_.vertexCount; ++v)
-            if (TouchesBorder(ring.Collect(mesh_.vert[v]))) fixed[v] = 1;
+            if (!IsClosed(ring.Collect(mesh_.vert[v]))) fixed[v] = 1;
         return fixed;
     }
 

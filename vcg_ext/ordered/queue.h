@@ -34,7 +34,10 @@ class CollapseRun;
 /// One entry of the queue: an edge, priced when it was queued.
 ///
 /// vcg::tri::TriEdgeCollapse supplies the frame; what differs from it:
-/// - no state in function statics, everything that lasts lives in the run;
+/// - no state in function statics, everything that lasts lives in the run. Of VCG's statics (the counters of
+///   FailStat, GlobalMark, the text of Info, the user bits of vertices and faces) none is touched: what uses
+///   them is overridden here or not called, and EdgeCollapser's table is never written. So runs over
+///   different meshes may go on at the same time;
 /// - a collapse changes the price of every edge around its ring. VCG either marks the ring, which loses its
 ///   outer edges, or leaves them stale; here the ring is stamped and an entry that is older than the stamp of
 ///   an end is priced again when it comes up, and waits on where it has become dearer;
