@@ -71,19 +71,20 @@ def assert_same_bytes() -> object:
     return check
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_subdirectory(tmp_path: Path, compiler: str, assert_same_bytes: object) -> None:
-    build = build_consumer("subdirectory", compiler, LAPLACIAN_SIMPLIFY_DIR=PROJECT)
-    for standard in STANDARDS:
-        assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
+@pytest.mark.parametrize(("compiler", "standard"), zip(COMPILERS, STANDARDS, strict=True))
+def test_subdirectory(tmp_path: Path, compiler: str, standard: int, assert_same_bytes: object) -> None:
+    settings = {"LAPLACIAN_SIMPLIFY_DIR": PROJECT, "STANDARDS": standard}
+    build = build_consumer("subdirectory", compiler, **settings)
+    assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_fetch_content_without_eigen_qt_and_openmp(tmp_path: Path, compiler: str, assert_same_bytes: object) -> None:
-    settings = {"LAPLACIAN_SIMPLIFY_DIR": PROJECT, **NOTHING_BUT_A_COMPILER}
+@pytest.mark.parametrize(("compiler", "standard"), zip(COMPILERS, reversed(STANDARDS), strict=True))
+def test_fetch_content_without_eigen_qt_and_openmp(
+    tmp_path: Path, compiler: str, standard: int, assert_same_bytes: object
+) -> None:
+    settings = {"LAPLACIAN_SIMPLIFY_DIR": PROJECT, "STANDARDS": standard, **NOTHING_BUT_A_COMPILER}
     build = build_consumer("fetch_content", compiler, **settings)
-    for standard in STANDARDS:
-        assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
+    assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
