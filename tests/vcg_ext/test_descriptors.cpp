@@ -231,6 +231,7 @@ class TestDescriptor : public QObject
     void edgesOfTwicePairedFacesAreFound();
     void valenceMayBeAny();
     void sliversAndUnitsMayBeAny();
+    void normalsThatNearlyCancelAreAddedUpByTheirRings();
     void rowsAreInTheOrderOfTheEnum();
     void flatIsZero();
     void pyramidHasItsClosedForm();
@@ -294,6 +295,17 @@ void TestDescriptor::sliversAndUnitsMayBeAny()
             QVERIFY2(difference < 20 * kRounding,
                      qPrintable(QString("%1 times, unit %2: %3").arg(stretch).arg(scale).arg(difference)));
         }
+}
+
+void TestDescriptor::normalsThatNearlyCancelAreAddedUpByTheirRings()
+{
+    // Around an apex of a narrow bipyramid next to nothing is left of the normals' sum.
+    for (const double narrow : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
+        IndexedMesh mesh = Bipyramid(7);
+        for (Point& p : mesh.points) p = {narrow * p[0], narrow * p[1], p[2] < 0 ? .5 * p[2] : p[2]};
+        const double difference = DifferenceFromTheRings(Moved(mesh, .7, 1, {.1, .2, .3}));
+        QVERIFY2(difference < kRounding, qPrintable(QString("%1: %2").arg(narrow).arg(difference)));
+    }
 }
 
 void TestDescriptor::rowsAreInTheOrderOfTheEnum()
