@@ -92,6 +92,17 @@ struct StarFace {
     std::uint32_t face;      ///< its index in the mesh
 };
 
+/// The height over its longest side below which a face has no area, in the engine's frame: a corner that is
+/// put onto that side misses it by some 1e-13, by rounding.
+constexpr double kNoHeight = 1e-10;
+
+/// Whether a face that had an area, its m = \p before, has none any more.
+inline bool LosesArea(const MovedFace<double>& moved, const Vector3d& before)
+{
+    const double height2 = std::sqrt(moved.normal2 * moved.quality2);
+    return height2 <= kNoHeight * kNoHeight && Dot(before, before) > kNoHeight * kFrameDiagonal;
+}
+
 /// The squared quality of the worst of \p faces when their moving corner is at \p x, DBL_MAX where there is
 /// none; nothing where one of them turns too far or loses its area.
 inline std::optional<double> WorstQuality2(const std::vector<StarFace>& faces, const Vector3d& x)
@@ -99,7 +110,8 @@ inline std::optional<double> WorstQuality2(const std::vector<StarFace>& faces, c
     double worst2 = DBL_MAX;
     for (const StarFace& face : faces) {
         const auto moved = MoveFace(face.next - x, face.previous - x);
-        if (TurnedTooFar(moved, face.scaledNormal)) return std::nullopt;
+        if (TurnedTooFar(moved, face.scaledNormal) || LosesArea(moved, face.scaledNormal))
+            return std::nullopt;
         worst2 = std::min(worst2, moved.quality2);
     }
     return worst2;

@@ -143,6 +143,8 @@ class TestWeightedDecimation : public QObject
     void classesKeepStraightBorders();
     void addsNoDefect_data() { addFunctions(); }
     void addsNoDefect();
+    void noFaceOfAFlatSheetLosesItsArea_data() { addFunctions(); }
+    void noFaceOfAFlatSheetLosesItsArea();
     void fixedVerticesStay_data() { addFunctions(); }
     void fixedVerticesStay();
     void quadricWeightsAttractVertices();
@@ -249,6 +251,17 @@ void TestWeightedDecimation::addsNoDefect()
             QCOMPARE(decimation.mesh.stopReason == StopReason::Target,
                      result.triangles.size() <= parameters.targetFaces);
         }
+}
+
+void TestWeightedDecimation::noFaceOfAFlatSheetLosesItsArea()
+{
+    // In rows and columns most vertices could go onto the far side of a face.
+    QFETCH(ErrorFunction, function);
+    const IndexedMesh sheet = Grid(90, 90, 1);
+    WeightedParameters parameters;
+    parameters.errorFunction = function;
+    const IndexedMesh result = Decimated(sheet, sheet.triangles.size() * 3 / 10, parameters);
+    QCOMPARE(FindDefects(result).degenerateFaces, std::size_t{0});
 }
 
 void TestWeightedDecimation::fixedVerticesStay()
