@@ -11,7 +11,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 
 from .library import MeshArrays, Outcome, Progress, run
-from .report import DecimationReport
+from .report import DecimationReport, StopReason
 from .tables import Filter
 
 Array: TypeAlias = np.ndarray[Any, Any]
@@ -80,9 +80,9 @@ def simplify_arrays(
     if needs_quality(row, numbers) != (mesh.quality is not None):
         raise ValueError(f"descriptor = {_STORED_QUALITY} and the array quality are given together or not at all")
     passed = ("feature_weight", "effort", "descriptor", "boundary", "preserve_topology", "measure_error", "threads")
-    parameters = {name: values[name] for name in passed}
+    parameters = {name: values[name] or 0 for name in passed}
     with _progress(options.progress) as progress:
-        return _simplified(mesh, vertices, faces, run(mesh, {**parameters, "target_faces": target}, progress))
+        return _simplified(vertices, faces, run(mesh, {**parameters, "target_faces": target}, progress))
 
 
 def _refuse_what_needs_mesh_sets(row: Filter, values: Mapping[str, Any]) -> None:
@@ -100,7 +100,9 @@ def needs_quality(row: Filter, numbers: Mapping[str, float]) -> bool:
 
 
 def _checked_mesh(vertices: Any, faces: Any, options: ArrayOptions) -> MeshArrays:
-    _require_array("vertices", vertices, "of float32 or float64", lambda dtype: dtype.kind + str(dtype.itemsize) in ("f4", "f8"))
+    _require_array(
+        "vertices", vertices, "of float32 or float64", lambda dtype: dtype.kind + str(dtype.itemsize) in ("f4", "f8")
+    )
     _require_array("faces", faces, "of integers", lambda dtype: dtype.kind in "iu")
     _require_shape("vertices", vertices, "(n, 3)", vertices.ndim == 2 and vertices.shape[1] == 3)
     _require_shape("faces", faces, "(m, 3)", faces.ndim == 2 and faces.shape[1] == 3)
@@ -173,9 +175,9 @@ def _rounded(value: float) -> int:
     return math.floor(value) + (value - math.floor(value) >= 0.5)
 
 
-def _simplified(mesh: MeshArrays, vertices: Array, faces: Array, outcome: Outcome) -> Simplified:
+def _simplified(vertices: Array, faces: Array, outcome: Outcome) -> Simplified:
     report = DecimationReport.of(outcome.report)
-    if report.stop_reason == report.stop_reason.CANCELLED:
+    if report.stop_reason is StopReason.CANCELLED:
         origins = np.arange(len(vertices)), np.arange(len(faces))
         return Simplified(np.array(vertices), np.array(faces), report, *origins)
     return Simplified(

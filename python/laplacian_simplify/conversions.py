@@ -84,8 +84,12 @@ def _read_trimesh(mesh: Any) -> Arrays:
 
 
 def _build_trimesh(mesh: Any, result: Simplified) -> Any:
-    visual = mesh.visual.copy() if mesh.visual.defined else None
-    if visual is not None:
+    visual = None
+    if mesh.visual.kind == "texture":
+        uv = None if mesh.visual.uv is None else mesh.visual.uv[result.vertex_origin]
+        visual = type(mesh.visual)(uv=uv, material=mesh.visual.material)  # the same picture, not a copy
+    elif mesh.visual.defined:
+        visual = mesh.visual.copy()
         visual.update_vertices(result.vertex_origin)
         visual.update_faces(result.face_origin)
     return sys.modules["trimesh"].Trimesh(
@@ -125,9 +129,7 @@ def _read_open3d(mesh: Any) -> Arrays:
 def _build_open3d(mesh: Any, result: Simplified) -> Any:
     open3d = sys.modules["open3d"]
     vectors = open3d.utility
-    small = open3d.geometry.TriangleMesh(
-        vectors.Vector3dVector(result.vertices), vectors.Vector3iVector(result.faces)
-    )
+    small = open3d.geometry.TriangleMesh(vectors.Vector3dVector(result.vertices), vectors.Vector3iVector(result.faces))
     if mesh.has_vertex_colors():
         small.vertex_colors = vectors.Vector3dVector(np.asarray(mesh.vertex_colors)[result.vertex_origin])
     if mesh.has_triangle_uvs():

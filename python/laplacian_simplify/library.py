@@ -128,7 +128,9 @@ def run(mesh: MeshArrays, parameters: Mapping[str, float], progress: Progress | 
     given = _Parameters(**parameters, progress=_CALLBACK(call))
     library = _library()
     try:
-        status = library.laplacian_simplify_arrays(ctypes.byref(_as_given(mesh)), ctypes.byref(given), ctypes.byref(result))
+        status = library.laplacian_simplify_arrays(
+            ctypes.byref(_as_given(mesh)), ctypes.byref(given), ctypes.byref(result)
+        )
         if caught:
             raise caught[0]
         _raise_failure(status, result)

@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 from conftest import SAMPLE_MESHES, SAMPLE_NAMES, faces_in, run_command
-from test_tables import FUNCTIONS
+from test_tables import FUNCTIONS, target_for
 
 import laplacian_simplify as ls
 from laplacian_simplify.options import commands
@@ -26,7 +26,7 @@ CHOICES = [
 @pytest.mark.parametrize("name", NAMES)
 def test_every_filter_on_every_sample(name: str, sample: str, load_sample) -> None:
     mesh_set = load_sample(sample)
-    report = FUNCTIONS[name](mesh_set)
+    report = FUNCTIONS[name](mesh_set, **target_for(name))
     assert report.mesh_set is mesh_set
     assert report.seconds >= 0
     assert np.isfinite(mesh_set.current_mesh().vertex_matrix()).all()
@@ -38,7 +38,7 @@ def test_every_choice_and_switch(name: str, parameter: str, value: object, load_
     mesh_set = load_sample("painted_box.obj")
     mesh_set.compute_scalar_by_geodesic_distance_from_given_point_per_vertex()  # a quality to be guided by
     mesh_set.set_selection_all()
-    report = FUNCTIONS[name](mesh_set, **{parameter: value})
+    report = FUNCTIONS[name](mesh_set, **{parameter: value, **target_for(name)})
     assert np.isfinite(mesh_set.current_mesh().vertex_matrix()).all()
     assert mesh_set.mesh_number() == (2 if (parameter, value) == ("new_layer", True) else 1)
     assert set(report.to_dict()) >= {"seconds"}
@@ -136,11 +136,11 @@ def test_unusable_meshes_are_refused_with_the_count(name: str) -> None:
     points = pymeshlab.MeshSet()
     points.add_mesh(pymeshlab.Mesh(np.zeros((5, 3))))
     with pytest.raises(RuntimeError, match=r"no faces \(5 vertices\)"):
-        FUNCTIONS[name](points)
+        FUNCTIONS[name](points, **target_for(name))
     not_finite = pymeshlab.MeshSet()
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0], [np.inf, 1, 0]])
     not_finite.add_mesh(pymeshlab.Mesh(corners, np.array([[0, 1, 2], [0, 1, 3]])))
     with pytest.raises(RuntimeError, match="2 of 4 vertices"):
-        FUNCTIONS[name](not_finite)
+        FUNCTIONS[name](not_finite, **target_for(name))
     with pytest.raises(RuntimeError, match="empty"):
-        FUNCTIONS[name](pymeshlab.MeshSet())
+        FUNCTIONS[name](pymeshlab.MeshSet(), **target_for(name))
