@@ -32,6 +32,7 @@ class _Mesh(ctypes.Structure):
         ("double_positions", c_int32),
         ("index_bytes", c_int32),
         ("fixed_vertices", c_void_p),
+        ("shared_seams", c_int32),
         ("selected_faces", c_void_p),
         ("stored_quality", c_void_p),
     ]
@@ -47,8 +48,14 @@ class _Parameters(ctypes.Structure):
         ("preserve_topology", c_int32),
         ("measure_error", c_int32),
         ("threads", c_int32),
+        ("cost_limit", c_double),
+        ("descriptor_scale", c_double),
         ("progress", _CALLBACK),
     ]
+
+
+class _Step(ctypes.Structure):
+    _fields_: ClassVar = [("cost", c_double), ("faces", c_uint64)]
 
 
 class _Result(ctypes.Structure):
@@ -69,6 +76,9 @@ class _Result(ctypes.Structure):
         ("feature_rms", c_double),
         ("folded", c_uint64),
         ("seconds", c_double),
+        ("step_count", c_uint64),
+        ("steps", ctypes.POINTER(_Step)),
+        ("descriptor_scale", c_double),
         ("storage", c_void_p),
         ("message", c_char * 512),
     ]
@@ -88,6 +98,8 @@ class MeshArrays:
     """bool, (m,): the faces that are simplified."""
     quality: np.ndarray[Any, Any] | None = None
     """float64, (n,)."""
+    shared_seams: bool = False
+    """Locked vertices are those of other meshes, too: no new edge joins two of them, as another mesh might make it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +111,10 @@ class Outcome:
     vertex_origin: np.ndarray[Any, Any]
     face_origin: np.ndarray[Any, Any]
     report: dict[str, Any]
+    steps: tuple[tuple[float, int], ...]
+    """After every sweep what a collapse cost at most, in length to the fourth power, and how many faces were left."""
+    descriptor_scale: float
+    """1 / the descriptor that counted as 1."""
 
 
 def run(mesh: MeshArrays, parameters: Mapping[str, float], progress: Progress | None) -> Outcome:
@@ -106,7 +122,8 @@ def run(mesh: MeshArrays, parameters: Mapping[str, float], progress: Progress | 
 
     Args:
         mesh: it stays as it is.
-        parameters: a number for every field of the structure, target_faces of the whole mesh.
+        parameters: numbers for the fields of the structure, target_faces of the whole mesh; others are 0. For a mesh
+            that is a part of one, cost_limit and descriptor_scale, in the units of Outcome.
         progress: called in this thread; what it raises ends the run and is raised here.
 
     Raises:
@@ -159,6 +176,7 @@ def _as_given(mesh: MeshArrays) -> _Mesh:
         fixed_vertices=place(mesh.locked),
         selected_faces=place(mesh.selected),
         stored_quality=place(mesh.quality),
+        shared_seams=mesh.shared_seams,
     )
 
 
@@ -191,6 +209,8 @@ def _outcome(mesh: MeshArrays, result: _Result) -> Outcome:
         _copied(result.vertex_origin, (result.vertex_count,), np.intp),
         _copied(result.face_origin, (result.face_count,), np.intp),
         report,
+        tuple((result.steps[k].cost, result.steps[k].faces) for k in range(result.step_count)),
+        result.descriptor_scale,
     )
 
 

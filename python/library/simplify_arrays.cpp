@@ -32,6 +32,12 @@ using Result = laplacian_simplify_result;
 /// Coordinates beyond this are refused, as the filters refuse them.
 constexpr double kMaxCoordinate = 1e18;
 
+/// What the arrays of a result point to.
+struct Storage {
+    vcg_ext::DecimatedMesh mesh;
+    std::vector<laplacian_simplify_step> steps;
+};
+
 /// The caller's mesh, checked, as the core reads it.
 struct Input {
     vcg_ext::MeshView view;
@@ -140,6 +146,7 @@ void Take(const Mesh& mesh, const Parameters& parameters, Input& input)
     view.positionStride = 3 * (view.doublePositions ? sizeof(double) : sizeof(float));
     view.vertexCount = mesh.vertex_count;
     view.fixedVertices = mesh.fixed_vertices;
+    view.sharedSeams = mesh.shared_seams != 0;
     TakeFaces(mesh, input);
     CheckPositions(view);
     if (mesh.selected_faces) FixOutsideSelection(mesh, input);
@@ -159,6 +166,8 @@ vcg_ext::DecimationParameters ToCore(const Parameters& given)
     parameters.preserveTopology = given.preserve_topology != 0;
     parameters.measureError = given.measure_error != 0;
     parameters.threads = given.threads;
+    parameters.costLimit = given.cost_limit;
+    parameters.descriptorScale = given.descriptor_scale;
     if (given.progress)
         parameters.progress = [call = given.progress](int percent, const char* stage) {
             return call(percent, stage) != 0;
@@ -227,15 +236,22 @@ void Report(const vcg_ext::DecimationReport& report, Result& result)
     result.folded = report.distances->folded;
 }
 
-void HandOver(std::unique_ptr<vcg_ext::DecimatedMesh> mesh, Result& result)
+void HandOver(vcg_ext::Simplification done, Result& result)
 {
-    result.vertex_count = mesh->positions.size();
-    result.face_count = mesh->triangles.size();
-    if (result.vertex_count > 0) result.positions = mesh->positions.front().data();
-    if (result.face_count > 0) result.faces = mesh->triangles.front().data();
-    result.vertex_origin = mesh->vertexOrigin.data();
-    result.face_origin = mesh->faceOrigin.data();
-    result.storage = mesh.release();
+    auto storage = std::make_unique<Storage>();
+    for (const auto& step : done.trace.steps) storage->steps.push_back({step.cost, step.faces});
+    storage->mesh = std::move(done.mesh);
+    const vcg_ext::DecimatedMesh& mesh = storage->mesh;
+    result.vertex_count = mesh.positions.size();
+    result.face_count = mesh.triangles.size();
+    if (result.vertex_count > 0) result.positions = mesh.positions.front().data();
+    if (result.face_count > 0) result.faces = mesh.triangles.front().data();
+    result.vertex_origin = mesh.vertexOrigin.data();
+    result.face_origin = mesh.faceOrigin.data();
+    result.step_count = storage->steps.size();
+    result.steps = storage->steps.data();
+    result.descriptor_scale = done.trace.descriptorScale;
+    result.storage = storage.release();
 }
 
 void Run(const Mesh& mesh, const Parameters& given, Result& result)
@@ -253,7 +269,7 @@ void Run(const Mesh& mesh, const Parameters& given, Result& result)
     Report(done.report, result);
     if (done.report.stopReason != vcg_ext::StopReason::Cancelled) {
         if (mesh.face_count > parameters.targetFaces) KeepLooseVertices(input, done.mesh);
-        HandOver(std::make_unique<vcg_ext::DecimatedMesh>(std::move(done.mesh)), result);
+        HandOver(std::move(done), result);
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -285,6 +301,6 @@ std::int32_t laplacian_simplify_arrays(const Mesh* mesh, const Parameters* param
 
 void laplacian_simplify_release(Result* result)
 {
-    delete static_cast<vcg_ext::DecimatedMesh*>(result->storage);
+    delete static_cast<Storage*>(result->storage);
     *result = {};
 }

@@ -22,6 +22,7 @@ typedef struct {
     int32_t double_positions;      ///< 1: coordinates are double, 0: float
     int32_t index_bytes;           ///< of a vertex index: 4 or 8; a negative index is refused as any other
     const uint8_t* fixed_vertices; ///< a byte a vertex, not 0: never moves and stays; may be null
+    int32_t shared_seams; ///< 1: fixed vertices are those of other meshes, too: no new edge joins two of them
     const uint8_t* selected_faces; ///< a byte a face, 0: keeps its vertices and stays; null: all are selected
     const double* stored_quality;  ///< a number a vertex for LAPLACIAN_SIMPLIFY_STORED_QUALITY, else null
 } laplacian_simplify_mesh;
@@ -45,9 +46,18 @@ typedef struct {
     int32_t preserve_topology;
     int32_t measure_error;
     int32_t threads; ///< 0: all; the result does not depend on it
+    double
+        cost_limit; ///< no collapse costs more, in the mesh's unit of length to the fourth power; 0: no limit
+    double descriptor_scale; ///< that of another result, for meshes that are parts of one; 0: the mesh's own
     /// Called on the calling thread with 0..100 and what is being done; 0 stops the run. May be null.
     int32_t (*progress)(int32_t percent, const char* stage);
 } laplacian_simplify_parameters;
+
+/// How far one sweep of the collapse went.
+typedef struct {
+    double cost;    ///< what a collapse cost at most, in the unit of cost_limit
+    uint64_t faces; ///< that were left
+} laplacian_simplify_step;
 
 /// The outcome. The arrays belong to \c storage: laplacian_simplify_release frees them.
 typedef struct {
@@ -67,6 +77,9 @@ typedef struct {
     double feature_rms;
     uint64_t folded;
     double seconds;
+    uint64_t step_count; ///< 0 where nothing had to be done
+    const laplacian_simplify_step* steps;
+    double descriptor_scale; ///< 1 / the descriptor that counted as 1
     void* storage;
     char message[512]; ///< why the call failed, in UTF-8
 } laplacian_simplify_result;

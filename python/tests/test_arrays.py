@@ -16,7 +16,7 @@ from conftest import SAMPLE_NAMES, positions_and_faces
 
 import laplacian_simplify as ls
 from laplacian_simplify.arrays import _MESH_SETS_ONLY
-from laplacian_simplify.library import _Parameters
+from laplacian_simplify.library import MeshArrays, Outcome, _Parameters, run
 from laplacian_simplify.tables import filter_named
 
 ROW = filter_named("meshing_decimation_laplacian_quadric_edge_collapse")
@@ -321,3 +321,30 @@ def test_eight_threads_at_a_time() -> None:
     with ThreadPoolExecutor(8) as pool:
         for k, found in enumerate(pool.map(work, range(16))):
             assert found == alone[k % len(meshes)], k
+
+
+def test_a_part_of_a_mesh_stops_at_a_cost_and_keeps_its_seams() -> None:
+    vertices, faces = wave()
+    locked = np.zeros(len(vertices), dtype=bool)
+    locked[::3] = True
+    parameters = {"target_faces": 1, "feature_weight": 2, "boundary": 1}
+
+    def outcome(shared_seams: bool = False, **more: float) -> Outcome:
+        return run(MeshArrays(vertices, faces, locked, shared_seams=shared_seams), {**parameters, **more}, None)
+
+    def new_seams(result: Outcome) -> set[tuple[int, int]]:
+        old, new = (
+            {tuple(sorted((a, b))) for t in at.tolist() for a, b in zip(t, [*t[1:], t[0]], strict=True)}
+            for at in (faces, result.vertex_origin[result.faces])
+        )
+        return {(a, b) for a, b in new - old if locked[a] and locked[b]}
+
+    free = outcome()
+    assert free.steps[-1][1] == len(free.faces)
+    assert new_seams(free)
+    assert not new_seams(outcome(shared_seams=True))
+    limited = outcome(cost_limit=free.steps[len(free.steps) // 2][0])
+    assert limited.report["stop_reason"] == ls.StopReason.ERROR_BOUND
+    assert len(free.faces) < len(limited.faces) < len(faces)
+    assert outcome(descriptor_scale=free.descriptor_scale).vertices.tobytes() == free.vertices.tobytes()
+    assert outcome(descriptor_scale=1e-3).vertices.tobytes() != free.vertices.tobytes()
