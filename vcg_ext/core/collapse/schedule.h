@@ -61,7 +61,7 @@ class SweepSchedule
   public:
     /// \param costLimit of DecimationParameters
     SweepSchedule(SweepState& state, int threads, double costLimit = 0)
-        : state_(state), runner_(state, threads), costUnit_(std::pow(state.frame.unit, 4)),
+        : state_(state), runner_(state, threads), costUnit_(FourthPower(state.frame.unit)),
           limit_(costLimit > 0 ? static_cast<float>(
                                      std::min(costLimit / costUnit_, static_cast<double>(kHighestThreshold)))
                                : kHighestThreshold)
@@ -95,6 +95,8 @@ class SweepSchedule
     }
 
   private:
+    static double FourthPower(double length) { return length * length * length * length; }
+
     /// Has everything within the limit of the cost been looked at, and hardly anything been left to collapse?
     bool IsAtLimit(const SweepStep& step, std::size_t died) const
     {
