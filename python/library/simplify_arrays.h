@@ -7,25 +7,25 @@
 // neither MeshLab nor VCG, has no state, and may run in several threads at the same time. The layouts of the
 // structures are repeated in python/laplacian_simplify/library.py.
 
-#include <stdint.h> // NOLINT: C reads this header, too
+#include <cstdint>
 
-#ifdef __cplusplus
 extern "C" {
-#endif
 
 /// A triangle mesh in the caller's arrays, which are only read.
-typedef struct {
+struct laplacian_simplify_mesh {
     const void* positions; ///< three coordinates a vertex
     const void* faces;     ///< three vertex indices a face
-    uint64_t vertex_count;
-    uint64_t face_count;
-    int32_t double_positions;      ///< 1: coordinates are double, 0: float
-    int32_t index_bytes;           ///< of a vertex index: 4 or 8; a negative index is refused as any other
-    const uint8_t* fixed_vertices; ///< a byte a vertex, not 0: never moves and stays; may be null
-    int32_t shared_seams; ///< 1: fixed vertices are those of other meshes, too: no new edge joins two of them
-    const uint8_t* selected_faces; ///< a byte a face, 0: keeps its vertices and stays; null: all are selected
-    const double* stored_quality;  ///< a number a vertex for LAPLACIAN_SIMPLIFY_STORED_QUALITY, else null
-} laplacian_simplify_mesh;
+    std::uint64_t vertex_count;
+    std::uint64_t face_count;
+    std::int32_t double_positions; ///< 1: coordinates are double, 0: float
+    std::int32_t index_bytes;      ///< of a vertex index: 4 or 8; a negative index is refused as any other
+    const std::uint8_t* fixed_vertices; ///< a byte a vertex, not 0: never moves and stays; may be null
+    std::int32_t
+        shared_seams; ///< 1: fixed vertices are those of other meshes, too: no new edge joins two of them
+    const std::uint8_t*
+        selected_faces;           ///< a byte a face, 0: keeps its vertices and stays; null: all are selected
+    const double* stored_quality; ///< a number a vertex for LAPLACIAN_SIMPLIFY_STORED_QUALITY, else null
+};
 
 /// What guides the collapse; the numbers are those of the filter's parameter "descriptor". Mean and Gaussian
 /// curvature (2 and 3) are computed by VCG and are refused here.
@@ -37,52 +37,53 @@ enum {
 };
 
 /// What is asked for; every field is set by the caller. Choices have the numbers of the filter's.
-typedef struct {
-    uint64_t target_faces; ///< of the whole mesh, at least 1
-    double feature_weight; ///< [0, 50]
-    int32_t effort;        ///< 0 fast, 1 balanced; 2, best, needs VCG's queue and is refused
-    int32_t descriptor;
-    int32_t boundary; ///< 0 free, 1 preserve, 2 lock
-    int32_t preserve_topology;
-    int32_t measure_error;
-    int32_t threads; ///< 0: all; the result does not depend on it
+struct laplacian_simplify_parameters {
+    std::uint64_t target_faces; ///< of the whole mesh, at least 1
+    double feature_weight;      ///< [0, 50]
+    std::int32_t effort;        ///< 0 fast, 1 balanced; 2, best, needs VCG's queue and is refused
+    std::int32_t descriptor;
+    std::int32_t boundary; ///< 0 free, 1 preserve, 2 lock
+    std::int32_t preserve_topology;
+    std::int32_t measure_error;
+    std::int32_t threads; ///< 0: all; the result does not depend on it
     double
         cost_limit; ///< no collapse costs more, in the mesh's unit of length to the fourth power; 0: no limit
     double descriptor_scale; ///< that of another result, for meshes that are parts of one; 0: the mesh's own
     /// Called on the calling thread with 0..100 and what is being done; 0 stops the run. May be null.
-    int32_t (*progress)(int32_t percent, const char* stage);
-} laplacian_simplify_parameters;
+    std::int32_t (*progress)(std::int32_t percent, const char* stage);
+};
 
 /// How far one sweep of the collapse went.
-typedef struct {
-    double cost;    ///< what a collapse cost at most, in the unit of cost_limit
-    uint64_t faces; ///< that were left
-} laplacian_simplify_step;
+struct laplacian_simplify_step {
+    double cost;         ///< what a collapse cost at most, in the unit of cost_limit
+    std::uint64_t faces; ///< that were left
+};
 
 /// The outcome. The arrays belong to \c storage: laplacian_simplify_release frees them.
-typedef struct {
-    uint64_t vertex_count; ///< vertices of no face stay where they are
-    uint64_t face_count;
+struct laplacian_simplify_result {
+    std::uint64_t vertex_count; ///< vertices of no face stay where they are
+    std::uint64_t face_count;
     const double* positions;
-    const uint32_t* faces;
-    const uint32_t* vertex_origin; ///< the input vertex that each vertex was, ascending
-    const uint32_t* face_origin;   ///< the input face that each face was, ascending
-    int32_t target_reached;
-    int32_t stop_reason; ///< 0 target, 1 error bound, 2 no legal collapse, 3 canceled: there are no arrays
-    uint64_t non_manifold_edges;
-    uint64_t boundary_edges;
-    int32_t has_distances; ///< 0: the four below were not measured
-    double hausdorff;      ///< percent of the bounding box's diagonal, as the next two
+    const std::uint32_t* faces;
+    const std::uint32_t* vertex_origin; ///< the input vertex that each vertex was, ascending
+    const std::uint32_t* face_origin;   ///< the input face that each face was, ascending
+    std::int32_t target_reached;
+    std::int32_t
+        stop_reason; ///< 0 target, 1 error bound, 2 no legal collapse, 3 canceled: there are no arrays
+    std::uint64_t non_manifold_edges;
+    std::uint64_t boundary_edges;
+    std::int32_t has_distances; ///< 0: the four below were not measured
+    double hausdorff;           ///< percent of the bounding box's diagonal, as the next two
     double rms;
     double feature_rms;
-    uint64_t folded;
+    std::uint64_t folded;
     double seconds;
-    uint64_t step_count; ///< 0 where nothing had to be done
+    std::uint64_t step_count; ///< 0 where nothing had to be done
     const laplacian_simplify_step* steps;
     double descriptor_scale; ///< 1 / the descriptor that counted as 1
     void* storage;
     char message[512]; ///< why the call failed, in UTF-8
-} laplacian_simplify_result;
+};
 
 /// What laplacian_simplify_arrays returns.
 enum {
@@ -94,13 +95,11 @@ enum {
 
 /// Simplifies a mesh as the filter does: where it has no more faces than the target it comes back as it is.
 /// \param result overwritten; to be released whatever is returned
-__attribute__((visibility("default"))) int32_t
+__attribute__((visibility("default"))) std::int32_t
 laplacian_simplify_arrays(const laplacian_simplify_mesh* mesh,
                           const laplacian_simplify_parameters* parameters, laplacian_simplify_result* result);
 
 /// Frees the arrays of a result.
 __attribute__((visibility("default"))) void laplacian_simplify_release(laplacian_simplify_result* result);
 
-#ifdef __cplusplus
-}
-#endif
+} // extern "C"

@@ -189,8 +189,9 @@ def test_polygons_of_pyvista_are_refused() -> None:
     pyvista = pytest.importorskip("pyvista")
     with pytest.raises(ValueError, match=r"apply triangulate\(\)"):
         ls.simplify(pyvista.Plane(), target_faces=1)
-    with pytest.raises(ValueError, match="without lines"):
-        ls.simplify(pyvista.Line(), target_faces=1)
+    strips = pyvista.PolyData(np.eye(3), faces=[3, 0, 1, 2], strips=[3, 0, 1, 2])
+    with pytest.raises(ValueError, match="without lines, vertices and strips"):
+        ls.simplify(strips, target_faces=1)
 
 
 @pytest.mark.parametrize(

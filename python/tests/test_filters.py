@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every filter on every sample mesh, every choice and every switch, in the real pymeshlab."""
 
+import dataclasses
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -31,6 +33,22 @@ def test_every_filter_on_every_sample(name: str, sample: str, load_sample) -> No
     assert report.seconds >= 0
     assert np.isfinite(mesh_set.current_mesh().vertex_matrix()).all()
     assert json.loads(report.to_json()) == json.loads(json.dumps(report.to_dict()))
+
+
+@pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
+def test_a_report_is_a_plain_value(row, load_sample) -> None:
+    report = FUNCTIONS[row.python_name](load_sample("painted_box.obj"), **target_for(row.python_name))
+    copy = pickle.loads(pickle.dumps(report))  # without the mesh set
+    assert copy == report
+    assert dataclasses.asdict(copy) == dataclasses.asdict(report)
+    with pytest.raises(AttributeError, match="holds no mesh set"):
+        _ = copy.mesh_set
+    for result in row.results:
+        if result.type == "integer":
+            assert isinstance(getattr(report, result.id), int)
+    assert all(type(size) is int for size in getattr(report, "class_sizes", ()))
+    assert str(report).splitlines()[-1] == f"time      {report.seconds:.2f} s"
+    assert all(f"<th>{result.id}</th>" in report._repr_html_() for result in row.results if not result.optional)
 
 
 @pytest.mark.parametrize(("name", "parameter", "value"), CHOICES)
