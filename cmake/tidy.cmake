@@ -13,7 +13,8 @@ function(analyse_sources target)
         return()
     endif()
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/vcg_ext/*.h
-        ${PROJECT_SOURCE_DIR}/filter_laplacian_simplify/*.h ${PROJECT_SOURCE_DIR}/tests/*.h)
+        ${PROJECT_SOURCE_DIR}/filter_laplacian_simplify/*.h ${PROJECT_SOURCE_DIR}/python/library/*.h
+        ${PROJECT_SOURCE_DIR}/tests/*.h)
     get_target_property(sources ${target} SOURCES)
     get_target_property(folder ${target} SOURCE_DIR)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")

@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laplacian-guided mesh simplification: the plugin's filters as functions on pymeshlab's mesh sets or on files.
+"""Laplacian-guided mesh simplification of arrays and of meshes of other libraries, and the plugin's filters as
+functions on pymeshlab's mesh sets or on files.
 
 >>> import laplacian_simplify as ls
+>>> vertices, faces = ls.simplify(vertices, faces, target_percent=10)
 >>> report = ls.simplify("bunny.off", target_percent=10)
 >>> report.faces, report.stop_reason_text
 (6966, 'target reached')
@@ -15,6 +17,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .arrays import Simplified
     from .files.errors import MeshFileError
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
@@ -27,9 +30,13 @@ if TYPE_CHECKING:
         DescriptorReport,
         Report,
         SmoothingReport,
+        StopReason,
     )
 
+    __version__: str
+
 _MODULES = {
+    "arrays": ("Simplified",),
     "files.errors": ("MeshFileError",),
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
@@ -42,6 +49,7 @@ _MODULES = {
         "DescriptorReport",
         "Report",
         "SmoothingReport",
+        "StopReason",
     ),
 }
 
@@ -54,7 +62,10 @@ __all__ = [
     "MeshFileError",
     "MeshFileWarning",
     "Report",
+    "Simplified",
     "SmoothingReport",
+    "StopReason",
+    "__version__",
     "classify",
     "descriptor",
     "load",
@@ -68,6 +79,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        globals()[name] = version = import_module("importlib.metadata").version("laplacian-simplify")
+        return version
     for module, names in _MODULES.items():
         if name in names:
             globals()[name] = value = getattr(import_module("." + module, __name__), name)

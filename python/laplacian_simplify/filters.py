@@ -6,74 +6,150 @@ A keyword that is None, as all are by default, has the filter's own default. A t
 and the choices, with the plugin's tables.
 """
 
-from typing import Literal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Unpack, overload
 
 from .report import ClassificationReport, DecimationReport, DescriptorReport, SmoothingReport
-from .running import MeshSource, run
+from .running import MeshSource, is_mesh_source, run, with_one_target
+from .tables import filter_named
 
+if TYPE_CHECKING:
+    from os import PathLike
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from .arrays import Simplified
+
+M = TypeVar("M")
+Effort = Literal["fast", "balanced", "best"]
+Boundary = Literal["free", "preserve", "lock"]
+Order = Literal["sweeps", "strict"]
 Computed = Literal["laplacian", "normalised_umbrella", "mean_curvature", "gaussian_curvature", "curvature_estimation"]
 Guidance = Computed | Literal["vertex_quality"]
 WeightedGuidance = Guidance | Literal["curvature_weighted_quadric"]
 
 
+class SimplifyOptions(TypedDict, total=False):
+    """The keywords of simplify but for return_result."""
+
+    target_faces: int | None
+    target_percent: float | None
+    feature_weight: float | None
+    effort: Effort | int | None
+    descriptor: Guidance | int | None
+    boundary: Boundary | int | None
+    preserve_topology: bool | None
+    selected_only: bool | None
+    new_layer: bool | None
+    measure_error: bool | None
+    order: Order | int | None
+    threads: int | None
+    selected: "NDArray[np.bool_] | None"
+    locked: "NDArray[np.bool_] | None"
+    quality: "NDArray[Any] | None"
+    progress: Callable[[int, str], object] | bool | None
+
+
+@overload
+def simplify(mesh: "NDArray[Any]", faces: "NDArray[Any]", **options: Unpack[SimplifyOptions]) -> "Simplified": ...
+@overload  # a mesh set has no type that is known to checkers: with it the result has none either
+def simplify(mesh: "str | PathLike[str]", **options: Unpack[SimplifyOptions]) -> DecimationReport: ...
+@overload
 def simplify(
-    mesh: MeshSource,
+    mesh: M, *, return_result: Literal[True], **options: Unpack[SimplifyOptions]
+) -> "tuple[M, Simplified]": ...
+@overload
+def simplify(mesh: M, **options: Unpack[SimplifyOptions]) -> M: ...
+def simplify(
+    mesh: Any,
+    faces: Any = None,
     *,
     target_faces: int | None = None,
     target_percent: float | None = None,
     feature_weight: float | None = None,
-    effort: Literal["fast", "balanced", "best"] | int | None = None,
+    effort: Effort | int | None = None,
     descriptor: Guidance | int | None = None,
-    boundary: Literal["free", "preserve", "lock"] | int | None = None,
+    boundary: Boundary | int | None = None,
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
     new_layer: bool | None = None,
     measure_error: bool | None = None,
-    order: Literal["sweeps", "strict"] | int | None = None,
+    order: Order | int | None = None,
     threads: int | None = None,
-) -> DecimationReport:
+    selected: "NDArray[np.bool_] | None" = None,
+    locked: "NDArray[np.bool_] | None" = None,
+    quality: "NDArray[Any] | None" = None,
+    progress: Callable[[int, str], object] | bool | None = None,
+    return_result: bool = False,
+) -> Any:
     """Reduces the number of faces and keeps creases, corners and details longest.
 
+    >>> vertices, faces = ls.simplify(vertices, faces, target_percent=10)
+    >>> small = ls.simplify(mesh, target_percent=10)
+
+    Exactly one of target_faces and target_percent has to be given.
+
     Args:
-        mesh: a mesh set, whose current mesh is changed, or a file, which stays as it is.
-        target_faces: faces to keep, used where target_percent is 0; half of them by default.
-        target_percent: percent of the faces to keep, 0 to 100; 0: target_faces is used.
+        mesh: vertices as a NumPy array, (n, 3), float32 or float64, with the next argument; or a mesh of trimesh,
+            pyvista, Open3D, meshio, vedo or pymeshlab. Those stay as they are, and the result is of the same type.
+            Or a mesh set of pymeshlab, whose current mesh is changed, or a file, which stays as it is.
+        faces: vertex indices as a NumPy array of integers, (m, 3).
+        target_faces: faces to keep, of the selected ones where faces are selected.
+        target_percent: percent of the faces to keep, above 0 to 100.
         feature_weight: lambda, 0 to 50: 0 plain decimation, 2 (default) ahead of it everywhere, 4 to 8 features first.
-        effort: geometry against time: fast, balanced (default) or best.
-        descriptor: what tells features from the rest.
+        effort: geometry against time: fast, balanced (default) or best; best for mesh sets and files only.
+        descriptor: what tells features from the rest; curvatures for mesh sets and files only.
         boundary: open borders are free, preserved (default) or locked.
         preserve_topology: keep every handle, hole and component.
         selected_only: only the selected faces are decimated; default where faces are selected.
-        new_layer: keep the original, the result becomes a new mesh of the set.
+        new_layer: keep the original, the result becomes a new mesh of the set; for mesh sets and files only.
         measure_error: measure the distances for the report (default).
-        order: sweeps, the parallel engine (default), or strict, VCG's own order.
+        order: sweeps, the parallel engine (default), or strict, VCG's own order; for mesh sets and files only.
         threads: 0 all; the result does not depend on it.
+        selected: the selected faces, an array of bool, (m,). As the next three not for mesh sets and files.
+        locked: vertices that stay as they are, an array of bool, (n,).
+        quality: the vertex quality, (n,), for descriptor = vertex_quality.
+        progress: called with percent and stage, in this thread; returning False stops the run, which then gives
+            the mesh as it came. True shows a bar.
+        return_result: for a mesh of another library: return it with the result that it was built from.
 
     Returns:
-        The report. A target that could not be reached is no error: the report says why.
+        For arrays a Simplified, which unpacks as vertices, faces and has report, vertex_origin and face_origin. For a
+        mesh of another library a mesh of that type, or it and a Simplified. For a mesh set or a file the report.
+        A target that could not be reached is no error: the report says why.
 
     Raises:
-        ValueError: a value is outside its range.
+        TypeError: something is of a type that cannot be used; the text says what can.
+        ValueError: a value is outside its range, or the arrays are no mesh.
         OSError: the file cannot be read.
-        RuntimeError: the mesh is unusable; it is unchanged.
+        RuntimeError: the mesh of a set or a file is unusable; it is unchanged.
     """
-    return run(
-        "meshing_decimation_laplacian_quadric_edge_collapse",
-        DecimationReport,
-        mesh,
-        target_faces=target_faces,
-        target_percent=target_percent,
-        feature_weight=feature_weight,
-        effort=effort,
-        descriptor=descriptor,
-        boundary=boundary,
-        preserve_topology=preserve_topology,
-        selected_only=selected_only,
-        new_layer=new_layer,
-        measure_error=measure_error,
-        order=order,
-        threads=threads,
-    )
+    name = "meshing_decimation_laplacian_quadric_edge_collapse"
+    values = {
+        "target_faces": target_faces,
+        "target_percent": target_percent,
+        "feature_weight": feature_weight,
+        "effort": effort,
+        "descriptor": descriptor,
+        "boundary": boundary,
+        "preserve_topology": preserve_topology,
+        "selected_only": selected_only,
+        "new_layer": new_layer,
+        "measure_error": measure_error,
+        "order": order,
+        "threads": threads,
+    }
+    of_arrays = {"selected": selected, "locked": locked, "quality": quality, "progress": progress or None}
+    numbers = with_one_target(name, values)
+    if not is_mesh_source(mesh):
+        from .conversions import simplify_object
+
+        return simplify_object(filter_named(name), mesh, faces, numbers, of_arrays, return_result)
+    for keyword, value in {"faces": faces, **of_arrays, "return_result": return_result or None}.items():
+        if value is not None:
+            raise TypeError(f"{keyword} is for arrays and meshes of other libraries, not for a mesh set or a file")
+    return run(name, DecimationReport, mesh, **values)
 
 
 def weighted(
@@ -99,27 +175,27 @@ def weighted(
         class_aware: feature vertices collapse to feature vertices only (Section 4.4).
         classes: number of classes for class_aware.
         refine: refine the classes first.
-        target_faces: faces to keep, used where target_percent is 0; half of them by default.
-        target_percent: percent of the faces to keep, 0 to 100; 0: target_faces is used.
+        target_faces: faces to keep; this or the next has to be given.
+        target_percent: percent of the faces to keep, above 0 to 100.
         selected_only: only the selected faces are decimated; default where faces are selected.
 
     Raises:
         ValueError, OSError, RuntimeError: as simplify.
     """
-    return run(
-        "meshing_decimation_laplacian_weighted_edge_collapse",
-        DecimationReport,
-        mesh,
-        error_function=error_function,
-        feature_weight=feature_weight,
-        descriptor=descriptor,
-        class_aware=class_aware,
-        classes=classes,
-        refine=refine,
-        target_faces=target_faces,
-        target_percent=target_percent,
-        selected_only=selected_only,
-    )
+    name = "meshing_decimation_laplacian_weighted_edge_collapse"
+    values = {
+        "error_function": error_function,
+        "feature_weight": feature_weight,
+        "descriptor": descriptor,
+        "class_aware": class_aware,
+        "classes": classes,
+        "refine": refine,
+        "target_faces": target_faces,
+        "target_percent": target_percent,
+        "selected_only": selected_only,
+    }
+    with_one_target(name, values)
+    return run(name, DecimationReport, mesh, **values)
 
 
 def descriptor(

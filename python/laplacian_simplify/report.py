@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the filters return, as values with names and types."""
 
+import html
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
+from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Self
+
+from .summary import summary_lines
 
 if TYPE_CHECKING:
     import pymeshlab
@@ -14,23 +18,55 @@ STOP_REASONS = ("target reached", "error bound reached", "no legal collapse left
 """What the numbers of ``stop_reason`` mean."""
 
 
+class StopReason(IntEnum):
+    """Why a decimation ended."""
+
+    TARGET = 0
+    ERROR_BOUND = 1
+    NO_LEGAL_COLLAPSE = 2
+    CANCELLED = 3
+
+
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """What every filter reports."""
+    """What every filter reports. It prints as a few lines for people, and can be pickled."""
 
-    mesh_set: "pymeshlab.MeshSet" = field(repr=False, compare=False)
-    """Holds the result as its current mesh; not part of the dictionary."""
     seconds: float
     """Time that the filter took."""
 
     @classmethod
-    def of(cls, mesh_set: "pymeshlab.MeshSet", returned: Mapping[str, Any]) -> Self:
-        """The report of a run that left its result in the mesh set and returned the map."""
-        return cls(mesh_set=mesh_set, **{name: _plain(value) for name, value in returned.items()})
+    def of(cls, returned: Mapping[str, Any], mesh_set: "pymeshlab.MeshSet | None" = None) -> Self:
+        """The report of a run that returned the map and left its result in the mesh set, if there is one."""
+        report = cls(**{name: _plain(value) for name, value in returned.items()})
+        if mesh_set is not None:
+            report.__dict__["_mesh_set"] = mesh_set
+        return report
+
+    @property
+    def mesh_set(self) -> "pymeshlab.MeshSet":
+        """Holds the result as its current mesh. It is no field: not part of the dictionary, and not pickled.
+
+        Raises:
+            AttributeError: there is none, as the report is of arrays or was copied or pickled.
+        """
+        try:
+            return self.__dict__["_mesh_set"]
+        except KeyError:
+            raise AttributeError("this report holds no mesh set: it is one of arrays, or a copy") from None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_mesh_set"}
+
+    def __str__(self) -> str:
+        return "\n".join([*summary_lines(self.to_dict()), f"time      {self.seconds:.2f} s"])
+
+    def _repr_html_(self) -> str:
+        rows = (f"<tr><th>{name}</th><td>{html.escape(str(value))}</td></tr>" for name, value in self.to_dict().items())
+        return f"<table>{''.join(rows)}</table>"
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers under the names that the filter gives them; those that were not measured are absent."""
-        values = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "mesh_set"}
+        values = {f.name: getattr(self, f.name) for f in fields(self)}
         return {name: value for name, value in values.items() if value is not None}
 
     def to_json(self) -> str:
@@ -54,9 +90,12 @@ class ClassificationReport(Report):
 
     thresholds: tuple[float, ...]
     centers: tuple[float, ...]
-    class_sizes: tuple[float, ...]
+    class_sizes: tuple[int, ...]
     promoted: int
     selected: int
+
+    def __post_init__(self) -> None:
+        self.__dict__["class_sizes"] = tuple(int(size) for size in self.class_sizes)  # the host has no lists of those
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,13 +114,17 @@ class DecimationReport(Report):
     faces: int
     vertices: int
     target_reached: bool
-    stop_reason: int
-    non_manifold_edges: int
-    boundary_edges: int
+    stop_reason: StopReason
+    non_manifold_edges: int | None = None
+    """None after a cancelled run, as the next."""
+    boundary_edges: int | None = None
     hausdorff: float | None = None
     rms: float | None = None
     feature_rms: float | None = None
     folded: int | None = None
+
+    def __post_init__(self) -> None:
+        self.__dict__["stop_reason"] = StopReason(self.stop_reason)
 
     @property
     def stop_reason_text(self) -> str:
@@ -89,7 +132,8 @@ class DecimationReport(Report):
         return STOP_REASONS[self.stop_reason]
 
     def to_dict(self) -> dict[str, Any]:
-        return super().to_dict() | {"stop_reason_text": self.stop_reason_text}
+        numbers = super().to_dict()
+        return numbers | {"stop_reason": int(self.stop_reason), "stop_reason_text": self.stop_reason_text}
 
 
 def _plain(value: Any) -> Any:

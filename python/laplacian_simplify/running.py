@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a filter of the plugin is run on a mesh set or a file."""
 
+import sys
 from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
@@ -26,29 +27,57 @@ def run(filter_name: str, report_type: type[R], mesh: MeshSource, **values: Any)
     with mesh sets of their own may call it at the same time; they take turns.
 
     Raises:
+        TypeError: it is neither, or a value is of a wrong type.
         ValueError: a value is outside its range; the text names the parameter, the value and the range.
         OSError: the file cannot be read.
         RuntimeError: the filter refused the mesh, which is unchanged; the text says why.
     """
+    if not is_mesh_source(mesh):
+        raise TypeError(f"the mesh must be a pymeshlab.MeshSet or the path of a mesh file, not {type(mesh).__name__}")
     load()
     row = filter_named(filter_name)
     numbers = checked(row, values)
     if not isinstance(mesh, str | PathLike):
-        return report_type.of(mesh, apply(row, mesh, numbers))
+        return report_type.of(apply(row, mesh, numbers), mesh)
     from .files.reading import read_mesh
 
     mesh_set = read_mesh(mesh)
     try:
-        return report_type.of(mesh_set, apply(row, mesh_set, numbers))
+        return report_type.of(apply(row, mesh_set, numbers), mesh_set)
     except RuntimeError as error:
         raise RuntimeError(f"{printable(fspath(mesh))} cannot be used: {error}") from None
+
+
+def is_mesh_source(mesh: object) -> bool:
+    """Whether it is a file or a mesh set; pymeshlab is not loaded to find out."""
+    if isinstance(mesh, str | PathLike):
+        return True
+    mesh_set = getattr(sys.modules.get("pymeshlab"), "MeshSet", None)
+    return mesh_set is not None and isinstance(mesh, mesh_set)
+
+
+def with_one_target(filter_name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The checked values of a decimation.
+
+    Raises:
+        TypeError, ValueError: as checked, and where there is no target, or two.
+    """
+    numbers = checked(filter_named(filter_name), values)
+    faces, percent = numbers.get("target_faces"), numbers.get("target_percent")
+    if faces is None and percent is None:
+        raise ValueError("there is no target: give target_faces=5000 or, in percent of the faces, target_percent=10")
+    if faces is not None and percent is not None:
+        raise ValueError(f"target_faces = {faces} and target_percent = {percent:g} are two targets: give one of them")
+    if percent == 0:  # it would tell the filter to use its own target_faces
+        raise ValueError("target_percent = 0 is outside (0, 100] (percent of the faces)")
+    return numbers
 
 
 def checked(row: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
     """The values that are not None, as the host wants them: choices as numbers, the rest in its type.
 
     Raises:
-        TypeError: the filter has no such parameter.
+        TypeError: the filter has no such parameter, or a value is of a wrong type.
         ValueError: a value is outside its range.
     """
     types = {"boolean": bool, "integer": int, "real": float, "choice": int}

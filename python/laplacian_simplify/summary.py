@@ -8,17 +8,19 @@ from typing import Any
 
 def summary(source: str, target: str, report: Mapping[str, Any]) -> str:
     """What was done with which result."""
-    lines = [f"{source} -> {target} in {report['seconds']:.2f} s"]
+    return "\n".join([f"{source} -> {target} in {report['seconds']:.2f} s", *summary_lines(report)])
+
+
+def summary_lines(report: Mapping[str, Any]) -> list[str]:
+    """The numbers of a report."""
     if "faces_before" in report:
-        lines += _decimation(report)
-    elif "centers" in report:
-        lines += _classification(report)
-    elif "percentile_99_9" in report:
-        lines += _descriptor(report)
-    elif "moved" in report:
-        lines += [f"moved     {_count(report['moved'], 'vertex', 'vertices')}, "
-                  f"at most {report['largest_movement']:.3g} % of the bounding box's diagonal"]  # fmt: skip
-    return "\n".join(lines)
+        return _decimation(report)
+    if "centers" in report:
+        return _classification(report)
+    if "percentile_99_9" in report:
+        return _descriptor(report)
+    moved = _count(report["moved"], "vertex", "vertices")
+    return [f"moved     {moved}, at most {report['largest_movement']:.3g} % of the bounding box's diagonal"]
 
 
 def _decimation(report: Mapping[str, Any]) -> list[str]:
@@ -32,11 +34,10 @@ def _decimation(report: Mapping[str, Any]) -> list[str]:
             f"distance  rms {report['rms']:.3g} %, at features {report['feature_rms']:.3g} %, "
             f"largest {report['hausdorff']:.3g} % of the bounding box's diagonal"
         )
-    checks = [
-        _count(report["vertices"], "vertex", "vertices"),
-        _count(report["non_manifold_edges"], "non-manifold edge"),
-        _count(report["boundary_edges"], "boundary edge"),
-    ]
+    checks = [_count(report["vertices"], "vertex", "vertices")]
+    if "boundary_edges" in report:  # not after a run that was cancelled
+        checks.append(_count(report["non_manifold_edges"], "non-manifold edge"))
+        checks.append(_count(report["boundary_edges"], "boundary edge"))
     if "folded" in report:
         checks.append(_count(report["folded"], "folded face"))
     return [*lines, "mesh      " + ", ".join(checks)]

@@ -39,6 +39,7 @@ class Parameter:
         """The number of a value: of a choice also by the id of the option. Numbers of NumPy are numbers, too.
 
         Raises:
+            TypeError: it is no number, and no word where the parameter is a choice.
             ValueError: names the parameter, the value and the range.
         """
         if getattr(value, "shape", None) == () and hasattr(value, "item"):
@@ -46,12 +47,18 @@ class Parameter:
         ids = [option.id for option in self.options]
         if isinstance(value, str) and value in ids:
             return ids.index(value)
-        if not isinstance(value, bool | int | float) or not self._contains(value):
+        if not isinstance(value, bool | int | float | str) or (isinstance(value, str) and not self.options):
+            raise TypeError(f"{self.id} must be {self._kind()}, not {type(value).__name__}")
+        if isinstance(value, str) or not self._contains(value):
             relation = "not one of" if self.options else "outside"
             raise ValueError(f"{self.id} = {_shown(value)} is {relation} {self.range_text}")
         if self.type != "real" and value != int(value):
             raise ValueError(f"{self.id} = {_shown(value)} is not a whole number in {self.range_text}")
         return value
+
+    def _kind(self) -> str:
+        kinds = {"boolean": "True or False", "integer": "a whole number", "real": "a number"}
+        return kinds.get(self.type, f"one of {self.range_text}")
 
     def _contains(self, value: float) -> bool:
         above = value >= self.minimum if self.minimum_included else value > self.minimum

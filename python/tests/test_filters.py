@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every filter on every sample mesh, every choice and every switch, in the real pymeshlab."""
 
+import dataclasses
 import json
+import pickle
 
 import numpy as np
 import pytest
 from conftest import SAMPLE_MESHES, SAMPLE_NAMES, faces_in, run_command
-from test_tables import FUNCTIONS
+from test_tables import FUNCTIONS, target_for
 
 import laplacian_simplify as ls
 from laplacian_simplify.options import commands
@@ -26,11 +28,27 @@ CHOICES = [
 @pytest.mark.parametrize("name", NAMES)
 def test_every_filter_on_every_sample(name: str, sample: str, load_sample) -> None:
     mesh_set = load_sample(sample)
-    report = FUNCTIONS[name](mesh_set)
+    report = FUNCTIONS[name](mesh_set, **target_for(name))
     assert report.mesh_set is mesh_set
     assert report.seconds >= 0
     assert np.isfinite(mesh_set.current_mesh().vertex_matrix()).all()
     assert json.loads(report.to_json()) == json.loads(json.dumps(report.to_dict()))
+
+
+@pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
+def test_a_report_is_a_plain_value(row, load_sample) -> None:
+    report = FUNCTIONS[row.python_name](load_sample("painted_box.obj"), **target_for(row.python_name))
+    copy = pickle.loads(pickle.dumps(report))  # without the mesh set
+    assert copy == report
+    assert dataclasses.asdict(copy) == dataclasses.asdict(report)
+    with pytest.raises(AttributeError, match="holds no mesh set"):
+        _ = copy.mesh_set
+    for result in row.results:
+        if result.type == "integer":
+            assert isinstance(getattr(report, result.id), int)
+    assert all(type(size) is int for size in getattr(report, "class_sizes", ()))
+    assert str(report).splitlines()[-1] == f"time      {report.seconds:.2f} s"
+    assert all(f"<th>{result.id}</th>" in report._repr_html_() for result in row.results if not result.optional)
 
 
 @pytest.mark.parametrize(("name", "parameter", "value"), CHOICES)
@@ -38,7 +56,7 @@ def test_every_choice_and_switch(name: str, parameter: str, value: object, load_
     mesh_set = load_sample("painted_box.obj")
     mesh_set.compute_scalar_by_geodesic_distance_from_given_point_per_vertex()  # a quality to be guided by
     mesh_set.set_selection_all()
-    report = FUNCTIONS[name](mesh_set, **{parameter: value})
+    report = FUNCTIONS[name](mesh_set, **{parameter: value, **target_for(name)})
     assert np.isfinite(mesh_set.current_mesh().vertex_matrix()).all()
     assert mesh_set.mesh_number() == (2 if (parameter, value) == ("new_layer", True) else 1)
     assert set(report.to_dict()) >= {"seconds"}
@@ -136,11 +154,11 @@ def test_unusable_meshes_are_refused_with_the_count(name: str) -> None:
     points = pymeshlab.MeshSet()
     points.add_mesh(pymeshlab.Mesh(np.zeros((5, 3))))
     with pytest.raises(RuntimeError, match=r"no faces \(5 vertices\)"):
-        FUNCTIONS[name](points)
+        FUNCTIONS[name](points, **target_for(name))
     not_finite = pymeshlab.MeshSet()
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0], [np.inf, 1, 0]])
     not_finite.add_mesh(pymeshlab.Mesh(corners, np.array([[0, 1, 2], [0, 1, 3]])))
     with pytest.raises(RuntimeError, match="2 of 4 vertices"):
-        FUNCTIONS[name](not_finite)
+        FUNCTIONS[name](not_finite, **target_for(name))
     with pytest.raises(RuntimeError, match="empty"):
-        FUNCTIONS[name](pymeshlab.MeshSet())
+        FUNCTIONS[name](pymeshlab.MeshSet(), **target_for(name))

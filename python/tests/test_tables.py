@@ -7,10 +7,13 @@ import inspect
 import typing
 from os import PathLike
 
+import numpy as np
 import pymeshlab
 import pytest
+from numpy.typing import NDArray
 
 import laplacian_simplify as ls
+from laplacian_simplify.filters import SimplifyOptions
 from laplacian_simplify.report import Report
 from laplacian_simplify.tables import Parameter, filter_named, filters
 
@@ -21,17 +24,30 @@ FUNCTIONS = {
     "meshing_decimation_laplacian_weighted_edge_collapse": ls.weighted,
     "apply_coord_umbrella_smoothing": ls.smooth,
 }
+NOT_IN_THE_TABLES = {"mesh", "faces", "selected", "locked", "quality", "progress", "return_result"}  # arrays' own
 ROWS = [
     pytest.param(row, parameter, id=f"{row.name}: {parameter.id}") for row in filters() for parameter in row.parameters
 ]
 
 
+def target_for(name: str) -> dict[str, float]:
+    """What a decimation has to be given."""
+    return {"target_percent": 50} if filter_named(name).has("target_percent") else {}
+
+
 @pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
 def test_every_filter_has_a_function_with_its_parameters(row) -> None:
     parameters = inspect.signature(FUNCTIONS[row.python_name]).parameters
-    assert list(parameters)[1:] == [name for name in parameters if name != "mesh"]
-    assert set(parameters) - {"mesh"} == {parameter.id for parameter in row.parameters}
-    assert all(p.kind is p.KEYWORD_ONLY and p.default is None for name, p in parameters.items() if name != "mesh")
+    assert next(iter(parameters)) == "mesh"
+    own = {name: p for name, p in parameters.items() if name not in NOT_IN_THE_TABLES}
+    assert set(own) == {parameter.id for parameter in row.parameters}
+    assert all(p.kind is p.KEYWORD_ONLY and p.default is None for p in own.values())
+
+
+def test_the_keywords_of_simplify_are_written_twice_alike() -> None:
+    """For type checkers in SimplifyOptions, which has all that the overloads do not name themselves."""
+    parameters = set(inspect.signature(ls.simplify).parameters)
+    assert set(SimplifyOptions.__annotations__) == parameters - {"mesh", "faces", "return_result"}
 
 
 @pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
@@ -44,7 +60,8 @@ def test_every_parameter_is_documented(row) -> None:
 
 @pytest.mark.parametrize(("row", "parameter"), ROWS)
 def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
-    hints = typing.get_type_hints(FUNCTIONS[row.python_name], {"pymeshlab": pymeshlab, "PathLike": PathLike})
+    names = {"pymeshlab": pymeshlab, "PathLike": PathLike, "np": np, "NDArray": NDArray, "Any": typing.Any}
+    hints = typing.get_type_hints(FUNCTIONS[row.python_name], names)
     hint = str(hints[parameter.id])
     expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int"}[parameter.type]
     assert expected in hint
@@ -54,7 +71,8 @@ def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
 
 @pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
 def test_every_result_is_a_field_of_the_report(row) -> None:
-    report_type = inspect.signature(FUNCTIONS[row.python_name]).return_annotation
+    of_one_type = inspect.signature(FUNCTIONS[row.python_name]).return_annotation
+    report_type = ls.DecimationReport if row.has("target_faces") else of_one_type
     assert issubclass(report_type, Report)
     fields = {field.name: field for field in dataclasses.fields(report_type) if field.name != "mesh_set"}
     assert set(fields) == {result.id for result in row.results}

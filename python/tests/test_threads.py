@@ -104,22 +104,19 @@ def test_best_strict_and_weighted_in_six_threads(tmp_path: Path) -> None:
     assert _python(FILTERS, mesh, ROUNDS, cwd=tmp_path) == "done\n"
 
 
-def test_a_comma_locale_changes_nothing(tmp_path: Path) -> None:
+def test_a_comma_locale_changes_nothing(tmp_path: Path, german: dict[str, str]) -> None:
     """Not in a process that has it, and not in the command."""
-    folder = tmp_path / "locales"
-    folder.mkdir()
-    subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", folder / "de_DE.UTF-8"], check=True, capture_output=True)
     for name, content in (("box.obj", obj()), ("box.off", off()), ("box.stl", text_stl()), ("box.ply", ply())):
         write(tmp_path / name, content)
     for name in ("dots", "commas"):
         (tmp_path / name).mkdir()
     _python(COMMA, "C", "dots", ".", cwd=tmp_path)
-    _python(COMMA, "de_DE.UTF-8", "commas", ",", cwd=tmp_path, LOCPATH=str(folder))
+    _python(COMMA, "de_DE.UTF-8", "commas", ",", cwd=tmp_path, **german)
     for path in (tmp_path / "dots").iterdir():
         if path.suffix != ".dae":  # it has the time in it
             assert (tmp_path / "commas" / path.name).read_bytes() == path.read_bytes(), path.name
     words = [sys.executable, "-P", "-m", "laplacian_simplify", "simplify", "box.obj", "command.obj", "--faces", "8"]
-    german = {**os.environ, "LOCPATH": str(folder), "LC_ALL": "de_DE.UTF-8"}
-    subprocess.run([*words, "--feature-weight", "2.5"], cwd=tmp_path, env=german, check=True, capture_output=True)
+    environment = {**os.environ, **german, "LC_ALL": "de_DE.UTF-8"}
+    subprocess.run([*words, "--feature-weight", "2.5"], cwd=tmp_path, env=environment, check=True, capture_output=True)
     expected = (tmp_path / "dots" / "box.obj.obj").read_text().replace("box.obj.obj", "command.obj")
     assert (tmp_path / "command.obj").read_text() == expected

@@ -42,6 +42,11 @@ struct DecimationParameters {
     int threads = 0;          ///< 0: all; the result does not depend on it
     bool measureError = true; ///< fill DecimationReport::distances
     Progress progress;        ///< may be empty
+
+    // For meshes that are simplified in parts. The queue (order strict, effort best) knows none of these.
+    double costLimit = 0; ///< no collapse costs more: area times squared distance, weighted as in Eq. 6, in
+                          ///< the mesh's unit of length to the fourth power; 0: no limit
+    double descriptorScale = 0; ///< of CollapseTrace, for l of Eq. 6; 0: the mesh's own
 };
 
 } // namespace vcg_ext

@@ -15,6 +15,7 @@
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
+#include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/measure/report.h"
@@ -32,6 +33,7 @@ namespace vcg_ext
 struct Simplification {
     DecimatedMesh mesh;
     DecimationReport report;
+    CollapseTrace trace; ///< of the sweeps
 };
 
 /// Checks what does not depend on the mesh. \throws std::invalid_argument that names parameter, value and
@@ -44,6 +46,8 @@ inline void CheckParameters(const DecimationParameters& parameters)
     if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is less than 1");
     if (parameters.threads < 0)
         throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is less than 0");
+    if (!(parameters.costLimit >= 0)) throw std::invalid_argument("cost_limit is less than 0");
+    if (!(parameters.descriptorScale >= 0)) throw std::invalid_argument("descriptor_scale is less than 0");
 }
 
 /// Checks that the view can be simplified. \throws std::invalid_argument that says what is wrong, with the
@@ -105,6 +109,7 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
                 Refine(surface.original, surface.simplified, surface.root, refinement);
             }
             result.mesh = ToMesh(view, surface);
+            result.trace = std::move(surface.trace);
             faceOrder = std::move(surface.faceOrder);
             descriptor = std::move(surface.descriptor);
         }

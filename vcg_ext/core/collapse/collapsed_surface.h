@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/surface.h"
@@ -35,6 +36,7 @@ struct CollapsedSurface {
     /// it.
     std::vector<float> descriptor;
     StopReason stopReason = StopReason::Target;
+    CollapseTrace trace;
 };
 
 namespace collapsed_surface_detail

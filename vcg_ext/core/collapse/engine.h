@@ -51,7 +51,7 @@ class CollapseEngine
     CollapseEngine(const MeshView& view, const DecimationParameters& parameters, KeptForLater kept = {},
                    StageProgress progress = {})
         : threads_(ResolveThreads(parameters.threads)), progress_(std::move(progress)),
-          schedule_(Start(view, parameters, kept), threads_)
+          schedule_(Start(view, parameters, kept), threads_, parameters.costLimit)
     {
     }
     CollapseEngine(const CollapseEngine&) = delete; // the schedule holds on to the state
@@ -63,6 +63,7 @@ class CollapseEngine
     {
         const auto report = [&](double way) { progress_(static_cast<int>(way * 100), "Collapsing edges"); };
         surface_.stopReason = schedule_.Run(targetFaces, report);
+        surface_.trace = {schedule_.Steps(), static_cast<double>(state_.descriptorScale)};
         return surface_.stopReason;
     }
 
@@ -94,9 +95,10 @@ class CollapseEngine
         state_.ratchetRecomputes = view.guidance == nullptr;
         state_.bordersCount = parameters.boundary != Boundary::Free;
         state_.preserveTopology = parameters.preserveTopology;
+        state_.sharedSeams = view.sharedSeams;
         state_.keepOriginal = kept.original;
         SweepLoader(view, state_, threads_).Load();
-        SweepStarter(view, state_, threads_, parameters.boundary).Start();
+        SweepStarter(view, state_, threads_, parameters.boundary, parameters.descriptorScale).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
         surface_.frame = state_.frame;
         if (kept.original) KeepOriginal();
@@ -148,6 +150,7 @@ class CollapseEngine
     Buffer<std::uint32_t> ExtractVertices()
     {
         SurfaceArrays& simplified = surface_.simplified;
+        simplified.sharedSeams = state_.sharedSeams;
         const std::size_t vertices = state_.vertices.size();
         Buffer<std::uint32_t> place(vertices);
         std::uint32_t count = 0;

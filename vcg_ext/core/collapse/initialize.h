@@ -35,10 +35,13 @@ class SweepStarter
     SweepState& state_;
     int threads_;
     Boundary boundary_;
+    double givenScale_;
 
   public:
-    SweepStarter(const MeshView& view, SweepState& state, int threads, Boundary boundary)
-        : view_(view), state_(state), threads_(threads), boundary_(boundary)
+    /// \param givenScale the descriptor's, 0: the mesh's own
+    SweepStarter(const MeshView& view, SweepState& state, int threads, Boundary boundary,
+                 double givenScale = 0)
+        : view_(view), state_(state), threads_(threads), boundary_(boundary), givenScale_(givenScale)
     {
     }
 
@@ -55,7 +58,9 @@ class SweepStarter
             }
         });
         if (view_.fauxEdges != nullptr && view_.guidance == nullptr) TakePolygonDescriptor();
-        state_.descriptorScale = view_.guidance != nullptr ? 1.0f : DescriptorScale(DescriptorSample());
+        state_.descriptorScale = view_.guidance != nullptr ? 1.0f
+                                 : givenScale_ > 0         ? static_cast<float>(givenScale_)
+                                                           : DescriptorScale(DescriptorSample());
         ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) WeightVertex(v);
         });

@@ -32,6 +32,7 @@ class CollapseGuard
 
     bool Allows() const
     {
+        if (state_.sharedSeams && JoinsFixedVertices()) return false;
         const bool closed = !state_.Has(removed_, kBorderVertex) && !state_.Has(survivor_, kBorderVertex);
         if (closed && star_.dead == 2 && star_.wing[0] != star_.wing[1] && KeptNeighboursDiffer())
             return true;
@@ -39,6 +40,18 @@ class CollapseGuard
     }
 
   private:
+    /// A new edge between two fixed vertices: a mesh that shares them may make the same one.
+    bool JoinsFixedVertices() const
+    {
+        if (!state_.Has(survivor_, kFixedVertex)) return false;
+        const auto joins = [&](std::uint32_t w) {
+            return w != survivor_ && w != removed_ && state_.Has(w, kFixedVertex) && !IsWing(w);
+        };
+        for (std::uint32_t i = 0; i < star_.keptOfRemoved; ++i)
+            if (joins(star_.next[i]) || joins(star_.previous[i])) return true;
+        return false;
+    }
+
     bool IsWing(std::uint32_t v) const
     {
         return std::find(star_.wing.begin(), star_.wing.begin() + star_.dead, v) !=

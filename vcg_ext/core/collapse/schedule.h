@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/sweep.h"
+#include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/parameters.h"
 
 namespace vcg_ext
@@ -46,11 +47,29 @@ class SweepSchedule
     static constexpr double kSlow = 1.0 / 400;
     static constexpr float kSlowRatio = 2;
 
+    // Near a limit of the cost the steps are small, from this part of it on: otherwise the sweep that reaches
+    // it takes much of what costs nearly as much in the order of the vertices.
+    static constexpr float kNearLimit = 1.0f / 3;
+    static constexpr float kNearLimitRatio = 1.44f;
+
     SweepState& state_;
     SweepRunner runner_;
+    double costUnit_; ///< the mesh's unit for one of the frame
+    float limit_;     ///< no collapse costs more
+    std::vector<CollapseTrace::Step> steps_;
 
   public:
-    SweepSchedule(SweepState& state, int threads) : state_(state), runner_(state, threads) {}
+    /// \param costLimit of DecimationParameters
+    SweepSchedule(SweepState& state, int threads, double costLimit = 0)
+        : state_(state), runner_(state, threads), costUnit_(FourthPower(state.frame.unit)),
+          limit_(costLimit > 0 ? static_cast<float>(
+                                     std::min(costLimit / costUnit_, static_cast<double>(kHighestThreshold)))
+                               : kHighestThreshold)
+    {
+    }
+
+    /// What every sweep so far has left.
+    const std::vector<CollapseTrace::Step>& Steps() const { return steps_; }
 
     /// Collapses until at most \p target faces are left. \param report called between sweeps with the part of
     /// the way that is done, in [0, 1]
@@ -65,6 +84,8 @@ class SweepSchedule
                 static_cast<double>(start - state_.aliveFaces) / static_cast<double>(start - target);
             report(way);
             const std::size_t died = runner_.Sweep(step, target);
+            steps_.push_back({static_cast<double>(step.threshold) * costUnit_, state_.aliveFaces});
+            if (IsAtLimit(step, died)) return StopReason::ErrorBound;
             if (died > 0)
                 step = NextStep(step, died, target);
             else if (!NextIdleStep(step, target))
@@ -74,9 +95,26 @@ class SweepSchedule
     }
 
   private:
+    static double FourthPower(double length) { return length * length * length * length; }
+
+    /// Has everything within the limit of the cost been looked at, and hardly anything been left to collapse?
+    bool IsAtLimit(const SweepStep& step, std::size_t died) const
+    {
+        return limit_ < kHighestThreshold && step.threshold >= limit_ &&
+               static_cast<double>(died) < kSlow * static_cast<double>(state_.aliveFaces);
+    }
+
+    /// \p next, in small steps where the limit is near.
+    float Limited(float last, float next) const
+    {
+        if (!(limit_ < kHighestThreshold) || next < kNearLimit * limit_) return next;
+        return std::min(limit_, std::max(kNearLimitRatio * last, kNearLimit * limit_));
+    }
+
     SweepStep NextStep(const SweepStep& step, std::size_t died, std::size_t target)
     {
-        if (!step.lastResort) return {NextThreshold(step.threshold, died, target), false, false};
+        if (!step.lastResort)
+            return {Limited(step.threshold, NextThreshold(step.threshold, died, target)), false, false};
         ForgetKeys(); // the knot is cut: cheap collapses may have become legal
         return {FirstThreshold(target), false, false};
     }
@@ -95,7 +133,7 @@ class SweepSchedule
                 step.threshold =
                     FirstThreshold(target); // what becomes legal comes in the order of its cost too
             } else {
-                step.threshold = std::min(std::max(lowest, step.threshold * kRatio), kHighestThreshold);
+                step.threshold = std::min(std::max(lowest, step.threshold * kRatio), limit_);
             }
         }
         step.everything = true;
@@ -121,7 +159,7 @@ class SweepSchedule
         const double part = 1 - static_cast<double>(target) / static_cast<double>(state_.aliveFaces);
         const double quantile = std::clamp(part, 0.0, kHighestStart);
         const float floor = part > kDeepReduction ? LowestUsefulThreshold() : kLowestThreshold;
-        return std::clamp(Quantile(std::move(lowest), quantile), floor, kHighestThreshold);
+        return std::min(std::clamp(Quantile(std::move(lowest), quantile), floor, kHighestThreshold), limit_);
     }
 
     static float Quantile(std::vector<float> values, double part)

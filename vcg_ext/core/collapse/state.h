@@ -109,6 +109,7 @@ struct SweepState {
     bool eightAtOnce = HasAvx2();  ///< the same bytes, in less time
     bool anyFixed = false;
     bool preserveTopology = false;
+    bool sharedSeams = false; ///< of MeshView
 
     std::uint32_t VertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
     Vector3<float> Position(std::uint32_t v) const { return vertices[v].Position(); }

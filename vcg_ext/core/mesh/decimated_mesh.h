@@ -38,6 +38,7 @@ inline MeshView ViewOf(const DecimatedMesh& mesh, const MeshView& original, std:
     if (original.fixedVertices != nullptr) {
         for (const std::uint32_t origin : mesh.vertexOrigin) fixed.push_back(original.fixedVertices[origin]);
         view.fixedVertices = fixed.data();
+        view.sharedSeams = original.sharedSeams;
     }
     return view;
 }

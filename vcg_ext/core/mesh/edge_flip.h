@@ -34,7 +34,8 @@ inline bool AreNeighbours(const SurfaceArrays& surface, std::uint32_t v, std::ui
 
 /// The edge between \p v and \p w, if it has exactly two faces of opposite direction with different third
 /// corners, and may go: an edge between fixed vertices stays, and with it every face that has no other
-/// corners. That c and d are not neighbours is left to the caller.
+/// corners. None is made between fixed vertices that other meshes share. That c and d are not neighbours is
+/// left to the caller.
 inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
                                                       std::uint32_t w)
 {
@@ -60,6 +61,8 @@ inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surfa
                              w,
                              PreviousVertex(surface, out),
                              NextVertex(surface, in)};
+    if (surface.sharedSeams && (surface.flags[edge.c] & surface.flags[edge.d] & kFixedVertex))
+        return std::nullopt;
     const auto full = [&](std::uint32_t u) { return surface.cornerCount[u] >= CornerCapacity(surface, u); };
     const bool may = edge.c != edge.d && surface.cornerCount[v] > kMinFaces &&
                      surface.cornerCount[w] > kMinFaces && !full(edge.c) && !full(edge.d);

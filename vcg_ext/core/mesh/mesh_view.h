@@ -22,6 +22,9 @@ struct MeshView {
     std::size_t faceCount = 0;
     const std::uint8_t* fixedVertices =
         nullptr; ///< one byte a vertex, not 0: never moves and stays; may be null
+    bool sharedSeams =
+        false; ///< fixed vertices are those of other meshes, too, that are simplified at the
+               ///< same time: no new edge joins two of them, as another mesh might make it, too
     const float* guidance =
         nullptr; ///< descriptor in [0, 1] a vertex; null: the Laplacian descriptor is computed
     const std::uint8_t* fauxEdges = nullptr; ///< one byte a face, bit k: the edge from its vertex k to k + 1

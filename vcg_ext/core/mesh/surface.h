@@ -64,6 +64,7 @@ struct SurfaceArrays {
     Buffer<std::uint32_t> cornerCount;
     Buffer<Corner> corners;
     Buffer<std::uint8_t> flags; ///< of SurfaceFlag, one byte per vertex
+    bool sharedSeams = false;   ///< of MeshView
 
     std::size_t VertexCount() const { return points.size(); }
     std::size_t FaceCount() const { return triangles.size(); }
@@ -224,6 +225,7 @@ inline SurfaceArrays BuildSurfaceArrays(const MeshView& view, const Frame& frame
                                         const float* weights = nullptr, int threads = 1)
 {
     SurfaceArrays surface;
+    surface.sharedSeams = view.sharedSeams;
     surface.points.Allocate(view.vertexCount);
     surface.flags.Allocate(view.vertexCount);
     surface.triangles.Allocate(view.faceCount);

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simplify_arrays.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/descriptor/one_ring_descriptors.h"
+#include "vcg_ext/core/descriptor/rescale.h"
+#include "vcg_ext/core/simplify.h"
+
+namespace
+{
+
+using Mesh = laplacian_simplify_mesh;
+using Parameters = laplacian_simplify_parameters;
+using Result = laplacian_simplify_result;
+
+/// Coordinates beyond this are refused, as the filters refuse them.
+constexpr double kMaxCoordinate = 1e18;
+
+/// What the arrays of a result point to.
+struct Storage {
+    vcg_ext::DecimatedMesh mesh;
+    std::vector<laplacian_simplify_step> steps;
+};
+
+/// The caller's mesh, checked, as the core reads it.
+struct Input {
+    vcg_ext::MeshView view;
+    std::vector<std::uint32_t> triangles; ///< where the caller's indices are not 32 bits long
+    std::vector<std::uint8_t> onFace;     ///< one a vertex
+    std::vector<std::uint8_t> fixed;      ///< empty: the caller's
+    std::vector<float> guidance;          ///< empty: the core computes the Laplacian descriptor
+};
+
+std::invalid_argument BadIndices(std::size_t bad, std::size_t first, const Mesh& mesh)
+{
+    return std::invalid_argument("the vertex indices of " + std::to_string(bad) + " of " +
+                                 std::to_string(mesh.face_count) + " faces are outside [0, " +
+                                 std::to_string(mesh.vertex_count) + "); the first of them is face " +
+                                 std::to_string(first));
+}
+
+/// Checks every index and marks the vertices that are on faces.
+template <class Index>
+void CheckFaces(const Mesh& mesh, Input& input)
+{
+    const auto* indices = static_cast<const Index*>(mesh.faces);
+    input.onFace.assign(mesh.vertex_count, 0);
+    std::size_t bad = 0, first = 0;
+    for (std::size_t f = 0; f < mesh.face_count; ++f) {
+        const Index* corners = indices + 3 * f;
+        if (corners[0] < mesh.vertex_count && corners[1] < mesh.vertex_count &&
+            corners[2] < mesh.vertex_count)
+            for (std::size_t k = 0; k < 3; ++k) input.onFace[corners[k]] = 1;
+        else if (bad++ == 0)
+            first = f;
+    }
+    if (bad > 0) throw BadIndices(bad, first, mesh);
+}
+
+void CheckPositions(const vcg_ext::MeshView& view)
+{
+    std::size_t bad = 0;
+    for (std::size_t v = 0; v < view.vertexCount; ++v) {
+        const std::array<double, 3> p = view.Position(v);
+        const auto usable = [](double x) { return std::abs(x) <= kMaxCoordinate; }; // NaN is not
+        bad += !(usable(p[0]) && usable(p[1]) && usable(p[2]));
+    }
+    if (bad > 0)
+        throw std::invalid_argument("the coordinates of " + std::to_string(bad) + " of " +
+                                    std::to_string(view.vertexCount) +
+                                    " vertices are not finite or larger than 1e18");
+}
+
+/// Vertices of faces that are not selected may neither move nor go.
+void FixOutsideSelection(const Mesh& mesh, Input& input)
+{
+    input.fixed.assign(mesh.vertex_count, 0);
+    if (mesh.fixed_vertices) std::copy_n(mesh.fixed_vertices, mesh.vertex_count, input.fixed.begin());
+    for (std::size_t f = 0; f < mesh.face_count; ++f) {
+        if (mesh.selected_faces[f]) continue;
+        for (std::size_t k = 0; k < 3; ++k) input.fixed[input.view.triangles[3 * f + k]] = 1;
+    }
+    input.view.fixedVertices = input.fixed.data();
+}
+
+void TakeFaces(const Mesh& mesh, Input& input)
+{
+    vcg_ext::MeshView& view = input.view;
+    if (mesh.index_bytes == 8) {
+        CheckFaces<std::uint64_t>(mesh, input);
+        const auto* indices = static_cast<const std::uint64_t*>(mesh.faces);
+        input.triangles.reserve(3 * mesh.face_count);
+        for (std::size_t k = 0; k < 3 * mesh.face_count; ++k)
+            input.triangles.push_back(static_cast<std::uint32_t>(indices[k]));
+        view.triangles = input.triangles.data();
+    } else {
+        CheckFaces<std::uint32_t>(mesh, input);
+        view.triangles = static_cast<const std::uint32_t*>(mesh.faces);
+    }
+    view.faceCount = mesh.face_count;
+}
+
+std::vector<double> DescriptorOf(const Mesh& mesh, const vcg_ext::MeshView& view,
+                                 const Parameters& parameters)
+{
+    switch (parameters.descriptor) {
+    case LAPLACIAN_SIMPLIFY_NORMALIZED_UMBRELLA:
+        return vcg_ext::OneRingDescriptor<vcg_ext::NormalizedUmbrellaFold>(view, parameters.threads);
+    case LAPLACIAN_SIMPLIFY_CURVATURE_ESTIMATION:
+        return vcg_ext::OneRingDescriptor<vcg_ext::CurvatureEstimationFold>(view, parameters.threads);
+    case LAPLACIAN_SIMPLIFY_STORED_QUALITY:
+        if (mesh.stored_quality) return {mesh.stored_quality, mesh.stored_quality + mesh.vertex_count};
+        break;
+    default:
+        break;
+    }
+    throw std::invalid_argument("descriptor = " + std::to_string(parameters.descriptor) +
+                                " cannot be computed here");
+}
+
+/// Reads and checks the caller's mesh into \p input, which does not move afterwards: its view points into it.
+void Take(const Mesh& mesh, const Parameters& parameters, Input& input)
+{
+    vcg_ext::MeshView& view = input.view;
+    if (mesh.face_count == 0)
+        throw std::invalid_argument("the mesh has no faces (" + std::to_string(mesh.vertex_count) +
+                                    " vertices)");
+    view.positions = mesh.positions;
+    view.doublePositions = mesh.double_positions != 0;
+    view.positionStride = 3 * (view.doublePositions ? sizeof(double) : sizeof(float));
+    view.vertexCount = mesh.vertex_count;
+    view.fixedVertices = mesh.fixed_vertices;
+    view.sharedSeams = mesh.shared_seams != 0;
+    TakeFaces(mesh, input);
+    CheckPositions(view);
+    if (mesh.selected_faces) FixOutsideSelection(mesh, input);
+    if (parameters.descriptor == LAPLACIAN_SIMPLIFY_LAPLACIAN) return;
+    for (const double value : vcg_ext::RescaledToUnit(DescriptorOf(mesh, view, parameters)))
+        input.guidance.push_back(static_cast<float>(value));
+    view.guidance = input.guidance.data();
+}
+
+vcg_ext::DecimationParameters ToCore(const Parameters& given)
+{
+    vcg_ext::DecimationParameters parameters;
+    parameters.targetFaces = given.target_faces;
+    parameters.featureWeight = given.feature_weight;
+    parameters.effort = static_cast<vcg_ext::Effort>(given.effort);
+    parameters.boundary = static_cast<vcg_ext::Boundary>(given.boundary);
+    parameters.preserveTopology = given.preserve_topology != 0;
+    parameters.measureError = given.measure_error != 0;
+    parameters.threads = given.threads;
+    parameters.costLimit = given.cost_limit;
+    parameters.descriptorScale = given.descriptor_scale;
+    if (given.progress)
+        parameters.progress = [call = given.progress](int percent, const char* stage) {
+            return call(percent, stage) != 0;
+        };
+    return parameters;
+}
+
+/// The mesh as it came: it has no more faces than are asked for.
+vcg_ext::Simplification Unchanged(const vcg_ext::MeshView& view,
+                                  const vcg_ext::DecimationParameters& parameters)
+{
+    vcg_ext::Simplification all;
+    for (std::uint32_t v = 0; v < view.vertexCount; ++v) {
+        all.mesh.positions.push_back(view.Position(v));
+        all.mesh.vertexOrigin.push_back(v);
+    }
+    for (std::uint32_t f = 0; f < view.faceCount; ++f) {
+        const std::uint32_t* corners = view.triangles + 3 * std::size_t{f};
+        all.mesh.triangles.push_back({corners[0], corners[1], corners[2]});
+        all.mesh.faceOrigin.push_back(f);
+    }
+    all.report = vcg_ext::CountsOf(view, all.mesh, parameters.targetFaces);
+    if (parameters.measureError) all.report.distances.emplace(); // the surfaces are identical
+    return all;
+}
+
+/// Puts the vertices of no face back, at their places among the others.
+void KeepLooseVertices(const Input& input, vcg_ext::DecimatedMesh& mesh)
+{
+    const auto loose =
+        static_cast<std::size_t>(std::count(input.onFace.begin(), input.onFace.end(), std::uint8_t{0}));
+    if (loose == 0) return;
+    vcg_ext::DecimatedMesh all;
+    std::vector<std::uint32_t> place(mesh.positions.size());
+    std::size_t next = 0;
+    const auto add = [&](std::uint32_t origin, const std::array<double, 3>& position) {
+        all.positions.push_back(position);
+        all.vertexOrigin.push_back(origin);
+    };
+    for (std::uint32_t v = 0; v < input.view.vertexCount; ++v) {
+        const bool survives = next < mesh.vertexOrigin.size() && mesh.vertexOrigin[next] == v;
+        if (survives) {
+            place[next] = static_cast<std::uint32_t>(all.positions.size());
+            add(v, mesh.positions[next++]);
+        } else if (!input.onFace[v]) {
+            add(v, input.view.Position(v));
+        }
+    }
+    for (auto& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle) corner = place[corner];
+    mesh.positions = std::move(all.positions);
+    mesh.vertexOrigin = std::move(all.vertexOrigin);
+}
+
+void Report(const vcg_ext::DecimationReport& report, Result& result)
+{
+    result.target_reached = report.targetReached;
+    result.stop_reason = static_cast<std::int32_t>(report.stopReason);
+    result.non_manifold_edges = report.edges.nonManifold;
+    result.boundary_edges = report.edges.boundary;
+    result.has_distances = report.distances.has_value();
+    if (!report.distances) return;
+    result.hausdorff = report.distances->hausdorff;
+    result.rms = report.distances->rms;
+    result.feature_rms = report.distances->featureRms;
+    result.folded = report.distances->folded;
+}
+
+void HandOver(vcg_ext::Simplification done, Result& result)
+{
+    auto storage = std::make_unique<Storage>();
+    for (const auto& step : done.trace.steps) storage->steps.push_back({step.cost, step.faces});
+    storage->mesh = std::move(done.mesh);
+    const vcg_ext::DecimatedMesh& mesh = storage->mesh;
+    result.vertex_count = mesh.positions.size();
+    result.face_count = mesh.triangles.size();
+    if (result.vertex_count > 0) result.positions = mesh.positions.front().data();
+    if (result.face_count > 0) result.faces = mesh.triangles.front().data();
+    result.vertex_origin = mesh.vertexOrigin.data();
+    result.face_origin = mesh.faceOrigin.data();
+    result.step_count = storage->steps.size();
+    result.steps = storage->steps.data();
+    result.descriptor_scale = done.trace.descriptorScale;
+    result.storage = storage.release();
+}
+
+void Run(const Mesh& mesh, const Parameters& given, Result& result)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const vcg_ext::ThreadsOfRun threads; // they end with the run
+    const vcg_ext::DecimationParameters parameters = ToCore(given);
+    vcg_ext::CheckParameters(parameters);
+    Input input;
+    Take(mesh, given, input);
+    vcg_ext::Simplification done = mesh.face_count <= parameters.targetFaces
+                                       ? Unchanged(input.view, parameters)
+                                       : vcg_ext::Simplify(input.view, parameters);
+    Report(done.report, result);
+    if (done.report.stopReason != vcg_ext::StopReason::Cancelled) {
+        if (mesh.face_count > parameters.targetFaces) KeepLooseVertices(input, done.mesh);
+        HandOver(std::move(done), result);
+    }
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::int32_t Failure(Result& result, std::int32_t status, const char* message)
+{
+    std::strncpy(result.message, message, sizeof result.message - 1);
+    return status;
+}
+
+} // namespace
+
+std::int32_t laplacian_simplify_arrays(const Mesh* mesh, const Parameters* parameters, Result* result)
+{
+    *result = {};
+    try {
+        Run(*mesh, *parameters, *result);
+        return LAPLACIAN_SIMPLIFY_DONE;
+    } catch (const std::invalid_argument& error) {
+        return Failure(*result, LAPLACIAN_SIMPLIFY_REFUSED, error.what());
+    } catch (const std::length_error& error) {
+        return Failure(*result, LAPLACIAN_SIMPLIFY_REFUSED, error.what());
+    } catch (const std::bad_alloc&) {
+        return Failure(*result, LAPLACIAN_SIMPLIFY_NO_MEMORY, "there is not enough memory");
+    } catch (const std::exception& error) {
+        return Failure(*result, LAPLACIAN_SIMPLIFY_FAILED, error.what());
+    }
+}
+
+void laplacian_simplify_release(Result* result)
+{
+    delete static_cast<Storage*>(result->storage);
+    *result = {};
+}
