@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -183,6 +184,35 @@ class FaceTree
         });
         DropFar(found, limit2);
         return nearest2;
+    }
+
+    /// A face that is not farther from \p point than the root of \p limit2, the first that is found; nothing
+    /// where there is none.
+    std::optional<Candidate> FaceWithin(const Vector3<float>& point, float limit2) const
+    {
+        std::optional<Candidate> found;
+        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
+            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
+            float near2 = found ? found->distance2 : limit2;
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                if (!(distance2[lane] <= near2)) continue;
+                near2 = distance2[lane];
+                found = Candidate{near2, indices[lane]};
+            }
+            return found ? -1 : limit2;
+        });
+        return found;
+    }
+
+    /// Squared distance to one face.
+    float Distance2ToFace(std::uint32_t face, const Vector3<float>& point) const
+    {
+        const auto corner = [&](std::size_t k) {
+            const SurfacePoint& p = points_[triangles_[3 * std::size_t{face} + k]];
+            return Vector3<float>{p.x, p.y, p.z};
+        };
+        const Vector3<float> a = corner(0);
+        return ClosestOnTriangle(point - a, corner(1) - a, corner(2) - a).distance2;
     }
 
     /// Calls visit(face) for every face in a box whose squared distance from \p point is at most what the
