@@ -13,6 +13,7 @@
 #include "vcg_ext/core/bound/covered_points.h"
 #include "vcg_ext/core/bound/original_edges.h"
 #include "vcg_ext/core/bound/segment_proof.h"
+#include "vcg_ext/core/measure/exact_surface.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 
 namespace vcg_ext
@@ -41,6 +42,7 @@ struct BoundTask {
 /// other. All lengths are in the engine's frame.
 struct CollapseBound {
     const FaceTree& original;
+    ExactSurface exact; ///< the same
     float limit;
     CoveredPoints covered;
     OriginalEdges edges;
@@ -49,8 +51,11 @@ struct CollapseBound {
     Buffer<std::uint32_t> edgeRefused;  ///< 3 face + index of the edge's first vertex: the sweep that refused it
     std::uint32_t sweep = 1;            ///< the running one
 
-    /// \param limit > 0
-    CollapseBound(const FaceTree& tree, float limitInFrame) : original(tree), limit(limitInFrame) {}
+    /// \param limitInFrame > 0 \pre view and tree outlive this object
+    CollapseBound(const MeshView& view, const FaceTree& tree, float limitInFrame)
+        : original(tree), exact(view, tree, RoundingOf(view, view, tree.frame())), limit(limitInFrame)
+    {
+    }
 
     /// Part of the bound that the collapses may use up; the rest is for what points and edges cannot see.
     static constexpr double kInnerShare = 0.99;

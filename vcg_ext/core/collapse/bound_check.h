@@ -12,6 +12,7 @@
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/bound/collapse_bound.h"
+#include "vcg_ext/core/bound/piece_proof.h"
 #include "vcg_ext/core/bound/trial_faces.h"
 #include "vcg_ext/core/collapse/state.h"
 #include "vcg_ext/core/collapse/workspace.h"
@@ -72,7 +73,9 @@ class BoundCheck
         if (!PlaceVertex(placement)) return BoundVerdict::Beyond;
         PlaceFaces();
         if (!CoversPoints() || !NewEdgesAreWithin() || !CentroidsAreWithin()) return BoundVerdict::Beyond;
-        return OriginalEdgesAreWithin();
+        const BoundVerdict verdict = OriginalEdgesAreWithin();
+        if (verdict != BoundVerdict::Within || !IsStrict() || WholeFacesAreWithin()) return verdict;
+        return BoundVerdict::Beyond;
     }
 
     /// The collapse that was checked last happens: its points go to the new faces. \p survivor is the vertex
@@ -186,6 +189,28 @@ class BoundCheck
             if (!found) return false;
             last = found->face;
         }
+        return true;
+    }
+
+    /// Did the certificate of an earlier run fail here?
+    bool IsStrict() const
+    {
+        const Buffer<std::uint8_t>& strict = bound_.covered.strict;
+        return strict[removed_] != 0 || strict[survivor_] != 0 ||
+               std::any_of(scratch_.points.begin(), scratch_.points.end(),
+                           [&](std::uint32_t point) { return strict[point] != 0; });
+    }
+    bool WholeFacesAreWithin() const
+    {
+        const auto exact = [](const Vector3<float>& p) {
+            return Vector3<double>{static_cast<double>(p.x), static_cast<double>(p.y),
+                                   static_cast<double>(p.z)};
+        };
+        PieceProof proof(bound_.exact, static_cast<double>(bound_.limit));
+        for (std::uint32_t i = 0; i < star_.kept; ++i)
+            if (proof.Prove({exact(scratch_.vertex.position), exact(state_.Position(star_.next[i])),
+                             exact(state_.Position(star_.previous[i]))}) != PieceProof::Result::Proven)
+                return false;
         return true;
     }
 

@@ -124,7 +124,7 @@ class CollapseEngine
             for (const FaceRecord& face : state_.faces) order.push_back(face.origin);
             task.tree = std::make_unique<FaceTree>(view, state_.frame, threads_, order);
         }
-        bound_.emplace(*task.tree, CollapseBound::InnerLimit(task.bound));
+        bound_.emplace(view, *task.tree, CollapseBound::InnerLimit(task.bound));
         StartBound(state_, *bound_, task, threads_);
         state_.bound = &*bound_;
     }
