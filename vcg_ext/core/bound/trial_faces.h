@@ -35,8 +35,7 @@ struct TrialFace {
     }
     float Distance2(const Vector3<float>& p) const
     {
-        const Vector3<float> b{shape.bx, shape.by, shape.bz}, c{shape.cx, shape.cy, shape.cz};
-        return ClosestOnTriangle(p - origin, b, c).distance2;
+        return ClosestOnTriangle(Splat(p - origin), shape).distance2[0]; // no branches, no divisions
     }
     bool BallReaches(const Vector3<float>& p, float reach) const
     {

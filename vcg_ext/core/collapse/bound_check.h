@@ -183,11 +183,20 @@ class BoundCheck
 
     bool CentroidsAreWithin() const
     {
-        std::uint32_t last = scratch_.vertex.face;
-        for (std::size_t i = 0; i < scratch_.starFaces; ++i) {
-            const auto found = bound_.FindNearby(scratch_.faces[i].center, last, scratch_.vertex.face);
-            if (!found) return false;
-            last = found->face;
+        const auto isClose = [&](const Vector3<float>& center, const Vector3<float>& corner, float distance) {
+            const float reach = bound_.limit - distance;
+            return reach > 0 && SquaredNorm(center - corner) <= reach * reach;
+        };
+        for (std::uint32_t i = 0; i < star_.kept; ++i) {
+            const Vector3<float>& center = scratch_.faces[i].center;
+            const NearbyFace &next = bound_.nearby[star_.next[i]], &last = bound_.nearby[star_.previous[i]];
+            if (isClose(center, scratch_.vertex.position, scratch_.vertex.distance) ||
+                isClose(center, state_.Position(star_.next[i]), next.distance) ||
+                isClose(center, state_.Position(star_.previous[i]), last.distance))
+                continue;
+            const float limit2 = bound_.limit * bound_.limit;
+            if (bound_.original.Distance2ToFace(scratch_.vertex.face, center) <= limit2) continue;
+            if (!bound_.FindNearby(center, next.face, last.face)) return false;
         }
         return true;
     }

@@ -192,14 +192,18 @@ class FaceTree
     {
         std::optional<Candidate> found;
         Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
-            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
-            float near2 = found ? found->distance2 : limit2;
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                if (!(distance2[lane] <= near2)) continue;
-                near2 = distance2[lane];
-                found = Candidate{near2, indices[lane]};
-            }
-            return found ? -1 : limit2;
+            if (found) return -1.0F;
+            const Vector3<Float4> p = faces.Seen(point);
+            // In a fine mesh a corner is close enough, and found sooner.
+            Float4 distance2 = Min(SquaredNorm(p), Min(SquaredNorm(p - faces.b), SquaredNorm(p - faces.c)));
+            if (!AnyLane(distance2 <= Splat(limit2)))
+                distance2 = ClosestOnTriangle(p, faces.Prepared()).distance2;
+            const float near2 = MinLane(distance2);
+            if (!(near2 <= limit2)) return limit2;
+            std::size_t lane = 0;
+            while (distance2[lane] != near2) ++lane;
+            found = Candidate{std::min(near2, Distance2ToFace(indices[lane], point)), indices[lane]};
+            return -1.0F;
         });
         return found;
     }
