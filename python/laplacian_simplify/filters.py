@@ -21,6 +21,7 @@ def simplify(
     *,
     target_faces: int | None = None,
     target_percent: float | None = None,
+    max_error: float | None = None,
     feature_weight: float | None = None,
     effort: Literal["fast", "balanced", "best"] | int | None = None,
     descriptor: Guidance | int | None = None,
@@ -38,6 +39,8 @@ def simplify(
         mesh: a mesh set, whose current mesh is changed, or a file, which stays as it is.
         target_faces: faces to keep, used where target_percent is 0; half of them by default.
         target_percent: percent of the faces to keep, 0 to 100; 0: target_faces is used.
+        max_error: no point of either surface is farther than this from the other, in percent of the diagonal of the
+            bounding box; with a target, whichever comes first, without one as few faces as it allows. 0: no bound.
         feature_weight: lambda, 0 to 50: 0 plain decimation, 2 (default) ahead of it everywhere, 4 to 8 features first.
         effort: geometry against time: fast, balanced (default) or best.
         descriptor: what tells features from the rest.
@@ -57,12 +60,15 @@ def simplify(
         OSError: the file cannot be read.
         RuntimeError: the mesh is unusable; it is unchanged.
     """
+    if max_error and target_faces is None and target_percent is None:
+        target_faces = 1  # the bound alone ends it
     return run(
         "meshing_decimation_laplacian_quadric_edge_collapse",
         DecimationReport,
         mesh,
         target_faces=target_faces,
         target_percent=target_percent,
+        max_error=max_error,
         feature_weight=feature_weight,
         effort=effort,
         descriptor=descriptor,

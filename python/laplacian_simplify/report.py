@@ -82,6 +82,7 @@ class DecimationReport(Report):
     rms: float | None = None
     feature_rms: float | None = None
     folded: int | None = None
+    certified_error: float | None = None
 
     @property
     def stop_reason_text(self) -> str:
