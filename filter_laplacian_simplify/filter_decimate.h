@@ -17,6 +17,7 @@
 #include "decimation_summary.h"
 #include "guidance.h"
 #include "host.h"
+#include "number_text.h"
 #include "progress.h"
 #include "stopwatch.h"
 #include "values.h"
@@ -131,16 +132,19 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
     parameters.measureError = values.Boolean("measure_error");
-    const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"), parameters.maxError > 0};
-    return DecimateCurrentMesh(host, values, wishes,
-                               [&](std::size_t target, vcg_ext::Progress progress) {
-                                   using Mesh = typename Host::MeshType;
-                                   parameters.targetFaces = target;
-                                   parameters.progress = std::move(progress);
-                                   parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"),
-                                                                  parameters.threads);
-                                   return vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
-                               });
+    if (parameters.maxError > 0 &&
+        (parameters.order == vcg_ext::Order::Strict || parameters.effort == vcg_ext::Effort::Best))
+        throw std::invalid_argument("max_error = " + NumberText(parameters.maxError) +
+                                    " needs order sweeps, and effort fast or balanced");
+    const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
+                                  parameters.maxError > 0};
+    return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {
+        using Mesh = typename Host::MeshType;
+        parameters.targetFaces = target;
+        parameters.progress = std::move(progress);
+        parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
+        return vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
+    });
 }
 
 } // namespace laplacian_simplify

@@ -33,7 +33,8 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
     CheckParameters(parameters);
     CheckMesh(view);
     if (parameters.maxError > 0)
-        throw std::invalid_argument("max_error needs order = sweeps, and effort = fast or balanced");
+        throw std::invalid_argument("max_error = " + std::to_string(parameters.maxError) +
+                                    " needs order sweeps, and effort fast or balanced");
     PipelineStages stages;
     stages.refine = parameters.effort != Effort::Fast;
     stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;

@@ -90,8 +90,8 @@ inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surf
 }
 
 /// Refines the surface where that is asked for, and takes it as a mesh.
-inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface, const PipelineStages& stages,
-                                 int threads, const StageProgress& progress)
+inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface,
+                                 const PipelineStages& stages, int threads, const StageProgress& progress)
 {
     if (!stages.refine || surface.simplified.FaceCount() == 0) return ResultOf(view, surface, stages.bound);
     std::optional<DecimatedMesh> before;

@@ -35,16 +35,17 @@ class BoundKeeper
 {
     const MeshView& original_;
     int threads_;
-    std::vector<std::uint32_t> faces_;     ///< of the original that count
-    std::vector<std::uint32_t> coveredBy_; ///< as CollapsedSurface's
+    std::vector<std::uint32_t> faces_;            ///< of the original that count
+    std::vector<std::uint32_t> coveredBy_;        ///< as CollapsedSurface's
     std::optional<BoundCertificate> certificate_; ///< of what was accepted last
-    std::vector<std::uint32_t> resultFaceOf_; ///< the result's face that each input face became, or kNone
+    std::vector<std::uint32_t> resultFaceOf_;     ///< the result's face that each input face became, or kNone
 
   public:
     BoundTask task;
 
     /// \param percent the bound, of the diagonal of the original's box \pre the view outlives this object
-    BoundKeeper(const MeshView& original, double percent, int threads) : original_(original), threads_(threads)
+    BoundKeeper(const MeshView& original, double percent, int threads)
+        : original_(original), threads_(threads)
     {
         task.bound = percent / 100 * kFrameDiagonal;
         for (std::uint32_t f = 0; f < original.faceCount; ++f) {
@@ -166,8 +167,8 @@ class BoundKeeper
         const auto originOf = [&](std::uint32_t face, std::size_t) { return mesh.faceOrigin[face]; };
         BoundCertificate certificate;
         certificate.ofOriginal = CertifyFaces(
-            original, result, task.bound, originalFaces.size(), [&](std::size_t i) { return originalFaces[i]; },
-            coverOf, threads_);
+            original, result, task.bound, originalFaces.size(),
+            [&](std::size_t i) { return originalFaces[i]; }, coverOf, threads_);
         certificate.ofResult = CertifyFaces(
             result, original, task.bound, resultFaces.size(), [&](std::size_t i) { return resultFaces[i]; },
             originOf, threads_);
@@ -229,7 +230,8 @@ class BoundKeeper
                 box.Add(frame.Into(before.positions[v]));
             }
             box.Grow(static_cast<float>(task.bound * 1.001 + 1e-3));
-            Tree().ForEachNear(box, [&](std::uint32_t face, const auto&...) { originalFaces.push_back(face); });
+            Tree().ForEachNear(box,
+                               [&](std::uint32_t face, const auto&...) { originalFaces.push_back(face); });
         }
         for (const std::uint32_t v : back) moved.positions[v] = before.positions[v];
         std::sort(originalFaces.begin(), originalFaces.end());

@@ -44,8 +44,9 @@ OneWayCertificate CertifyFaces(const ExactSurface& from, const ExactSurface& to,
         PieceProof proof(to, limit);
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t face = faceAt(i);
-            const auto result = proof.Prove({from.Corner(face, 0), from.Corner(face, 1), from.Corner(face, 2)},
-                                            {hintAt(face, 0), hintAt(face, 1), hintAt(face, 2)});
+            const auto result =
+                proof.Prove({from.Corner(face, 0), from.Corner(face, 1), from.Corner(face, 2)},
+                            {hintAt(face, 0), hintAt(face, 1), hintAt(face, 2)});
             if (result != PieceProof::Result::Proven)
                 part.counterexamples.push_back({face, proof.Counterexample()});
         }

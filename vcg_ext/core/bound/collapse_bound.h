@@ -46,10 +46,11 @@ struct CollapseBound {
     float limit;
     CoveredPoints covered;
     OriginalEdges edges;
-    Buffer<NearbyFace> nearby;          ///< of every live vertex
-    Buffer<std::uint32_t> ringChanged;  ///< the sweep in which the faces around a vertex changed last
-    Buffer<std::uint32_t> edgeRefused;  ///< 3 face + index of the edge's first vertex: the sweep that refused it
-    std::uint32_t sweep = 1;            ///< the running one
+    Buffer<NearbyFace> nearby;         ///< of every live vertex
+    Buffer<std::uint32_t> ringChanged; ///< the sweep in which the faces around a vertex changed last
+    Buffer<std::uint32_t>
+        edgeRefused;         ///< 3 face + index of the edge's first vertex: the sweep that refused it
+    std::uint32_t sweep = 1; ///< the running one
 
     /// \param limitInFrame > 0 \pre view and tree outlive this object
     CollapseBound(const MeshView& view, const FaceTree& tree, float limitInFrame)

@@ -30,8 +30,9 @@ struct TrialFace {
         const Vector3<float> toB = b - a, toC = c - a, middle = (1.0F / 3) * (toB + toC);
         constexpr float kRounding = 1.00001F;
         center = a + middle;
-        radius = kRounding * std::sqrt(std::max({SquaredNorm(middle), SquaredNorm(toB - middle),
-                                                 SquaredNorm(toC - middle)}));
+        radius =
+            kRounding *
+            std::sqrt(std::max({SquaredNorm(middle), SquaredNorm(toB - middle), SquaredNorm(toC - middle)}));
     }
     float Distance2(const Vector3<float>& p) const
     {

@@ -57,8 +57,7 @@ class BoundCheck
     /// Was the edge refused, and has nothing changed around it since?
     bool IsRefusedStill() const
     {
-        const std::uint32_t changed =
-            std::max(bound_.ringChanged[removed_], bound_.ringChanged[survivor_]);
+        const std::uint32_t changed = std::max(bound_.ringChanged[removed_], bound_.ringChanged[survivor_]);
         return bound_.edgeRefused[HalfEdge(0)] > changed;
     }
     void Refuse()
@@ -110,8 +109,8 @@ class BoundCheck
 
     bool PlaceVertex(const Vector3<float>& placement)
     {
-        const auto found = bound_.FindNearby(placement, bound_.nearby[survivor_].face,
-                                             bound_.nearby[removed_].face);
+        const auto found =
+            bound_.FindNearby(placement, bound_.nearby[survivor_].face, bound_.nearby[removed_].face);
         if (found) scratch_.vertex = *found;
         return found.has_value();
     }
@@ -263,7 +262,8 @@ class BoundCheck
     bool IsStable(std::uint32_t face) const
     {
         const std::uint32_t* v = state_.faces[face].v;
-        return range_.Has(LoadRelaxed(v[0])) || range_.Has(LoadRelaxed(v[1])) || range_.Has(LoadRelaxed(v[2]));
+        return range_.Has(LoadRelaxed(v[0])) || range_.Has(LoadRelaxed(v[1])) ||
+               range_.Has(LoadRelaxed(v[2]));
     }
     std::uint32_t AddFace(std::uint32_t face)
     {

@@ -30,7 +30,8 @@ namespace vcg_ext
 struct KeptForLater {
     bool original = false;   ///< CollapsedSurface::original and root
     bool descriptor = false; ///< CollapsedSurface::descriptor
-    BoundTask* bound = nullptr; ///< keeps both surfaces this close, CollapsedSurface::coveredBy; null: no bound
+    BoundTask* bound =
+        nullptr; ///< keeps both surfaces this close, CollapsedSurface::coveredBy; null: no bound
 };
 
 /// Collapses edges in sweeps over arrays, each up to a threshold of the cost, on several threads:

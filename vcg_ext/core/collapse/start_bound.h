@@ -39,8 +39,7 @@ inline void MarkStrict(const SweepState& state, const BoundTask& task, CollapseB
 
 /// Fills \p bound for a surface that is still the original: every vertex is covered by a face of its own, at
 /// no distance. \pre the state is loaded, and nothing has collapsed
-inline void StartBound(const SweepState& state, CollapseBound& bound, const BoundTask& task,
-                       int threads)
+inline void StartBound(const SweepState& state, CollapseBound& bound, const BoundTask& task, int threads)
 {
     constexpr std::size_t kGrain = 1 << 14;
     const std::size_t vertices = state.vertices.size(), faces = state.faces.size();

@@ -78,7 +78,8 @@ class ExactSurface
         return search.nearest2;
     }
 
-    /// The same where it is at most \p limit2, with the closest face in search.last; nothing where it is more.
+    /// The same where it is at most \p limit2, with the closest face in search.last; nothing where it is
+    /// more.
     std::optional<double> Distance2Within(const Vector3<double>& p, double limit2, Search& search) const
     {
         const std::optional<std::uint32_t> before = search.last;
