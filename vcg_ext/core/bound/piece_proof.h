@@ -63,6 +63,8 @@ class PieceProof
     Result Prove(const std::array<Vector3<double>, 3>& triangle,
                  const std::array<std::uint32_t, 3>& hints = {kNone, kNone, kNone})
     {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (hints[k] != kNone && CoversAll(hints[k], triangle)) return Result::Proven;
         Piece piece(3);
         for (std::size_t k = 0; k < 3; ++k) {
             if (hints[k] != kNone && IsWithin(hints[k], triangle[k], piece[k])) continue;
@@ -90,6 +92,16 @@ class PieceProof
     double Reached() const { return std::sqrt(reached2_); }
 
   private:
+    bool CoversAll(std::uint32_t face, const std::array<Vector3<double>, 3>& triangle)
+    {
+        double farthest2 = 0;
+        for (const Vector3<double>& corner : triangle) {
+            farthest2 = std::max(farthest2, surface_.Distance2ToFace(face, corner));
+            if (!(farthest2 <= limit2_)) return false;
+        }
+        reached2_ = std::max(reached2_, farthest2);
+        return true;
+    }
     bool IsWithin(std::uint32_t face, const Vector3<double>& p, PieceCorner& corner) const
     {
         const double distance2 = surface_.Distance2ToFace(face, p);
