@@ -32,6 +32,7 @@ inline Report ToReport(const vcg_ext::DecimationReport& decimation)
         report.SetCount("non_manifold_edges", decimation.edges.nonManifold);
         report.SetCount("boundary_edges", decimation.edges.boundary);
     }
+    if (decimation.certifiedError) report.Set("certified_error", *decimation.certifiedError);
     report.Set("seconds", decimation.seconds);
     return report;
 }
@@ -59,7 +60,9 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
 
 /// The numbers of a decimation as a few short lines for the log. They are plain ASCII, because hosts print
 /// them in the encoding of the locale.
-inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decimation, std::size_t target)
+/// \param errorBound one was asked for
+inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decimation, std::size_t target,
+                                         bool errorBound = false)
 {
     if (decimation.stopReason == vcg_ext::StopReason::Cancelled) return {StopDescription(decimation, target)};
     const double percent =
@@ -68,6 +71,12 @@ inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decima
     lines.push_back(CountText(decimation.facesBefore) + " -> " + CountText(decimation.faces) + " faces (" +
                     RoundedText(percent, 3) + " %), " + CountText(decimation.vertices) + " vertices, " +
                     FixedText(decimation.seconds, 2) + " s; " + StopDescription(decimation, target));
+    if (decimation.certifiedError)
+        lines.push_back("No point of either surface is farther from the other than " +
+                        RoundedText(*decimation.certifiedError, 4) +
+                        " percent of the bounding box diagonal (proven)");
+    else if (errorBound)
+        lines.push_back("The error bound could not be proven: the result may be farther from the original");
     if (const auto& distances = decimation.distances)
         lines.push_back("Distances in percent of the bounding box diagonal: largest (Hausdorff) " +
                         RoundedText(distances->hausdorff, 4) + ", rms " + RoundedText(distances->rms, 4) +

@@ -17,6 +17,7 @@
 #include "decimation_summary.h"
 #include "guidance.h"
 #include "host.h"
+#include "number_text.h"
 #include "progress.h"
 #include "stopwatch.h"
 #include "values.h"
@@ -79,11 +80,18 @@ void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer)
     host.GeometryChanged();
 }
 
+/// What a decimation filter is asked for besides its collapses.
+struct DecimationWishes {
+    bool measureError = false;
+    bool newLayer = false;
+    bool errorBound = false; ///< the report says what is proven
+};
+
 /// What every decimation filter does besides its collapses: target, progress, result, report and log.
 /// \param simplify called with the number of faces to keep and the progress, returns a
 ///        vcg_ext::Simplification; not called if the mesh has no more faces than that
 template <class Host, class Simplify>
-Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, bool newLayer,
+Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWishes& wishes,
                            const Simplify& simplify)
 {
     const Stopwatch stopwatch;
@@ -91,8 +99,9 @@ Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, 
     const std::size_t target = TargetFaces(values, facts);
     vcg_ext::DecimationReport report;
     if (target >= facts.faces) {
-        report = ReportUnchanged(host.Mesh(), measureError);
-        if (newLayer) host.ContinueOnCopy();
+        report = ReportUnchanged(host.Mesh(), wishes.measureError);
+        if (wishes.errorBound) report.certifiedError = 0;
+        if (wishes.newLayer) host.ContinueOnCopy();
     } else {
         ThrottledProgress progress(
             [&](int percent, const char* stage) { return host.Progress(percent, stage); });
@@ -101,11 +110,11 @@ Report DecimateCurrentMesh(Host& host, const Values& values, bool measureError, 
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
-            Commit(host, std::move(decimation.mesh), newLayer);
+            Commit(host, std::move(decimation.mesh), wishes.newLayer);
     }
     report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
-    for (const std::string& line : LogLines(report, target)) host.Log(line);
+    for (const std::string& line : LogLines(report, target, wishes.errorBound)) host.Log(line);
     return ToReport(report);
 }
 
@@ -114,6 +123,7 @@ template <class Host>
 Report ApplyGuidedDecimation(Host& host, const Values& values)
 {
     vcg_ext::MeshDecimationParameters parameters;
+    parameters.maxError = values.Real("max_error");
     parameters.featureWeight = values.Real("feature_weight");
     parameters.effort = values.Choice<vcg_ext::Effort>("effort");
     parameters.boundary = values.Choice<vcg_ext::Boundary>("boundary");
@@ -122,15 +132,19 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
     parameters.measureError = values.Boolean("measure_error");
-    return DecimateCurrentMesh(host, values, parameters.measureError, values.Boolean("new_layer"),
-                               [&](std::size_t target, vcg_ext::Progress progress) {
-                                   using Mesh = typename Host::MeshType;
-                                   parameters.targetFaces = target;
-                                   parameters.progress = std::move(progress);
-                                   parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"),
-                                                                  parameters.threads);
-                                   return vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
-                               });
+    if (parameters.maxError > 0 &&
+        (parameters.order == vcg_ext::Order::Strict || parameters.effort == vcg_ext::Effort::Best))
+        throw std::invalid_argument("max_error = " + NumberText(parameters.maxError) +
+                                    " needs order sweeps, and effort fast or balanced");
+    const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
+                                  parameters.maxError > 0};
+    return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {
+        using Mesh = typename Host::MeshType;
+        parameters.targetFaces = target;
+        parameters.progress = std::move(progress);
+        parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
+        return vcg_ext::Decimate<Mesh>(host.Mesh(), parameters);
+    });
 }
 
 } // namespace laplacian_simplify

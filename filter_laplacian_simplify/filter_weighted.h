@@ -65,9 +65,8 @@ inline std::vector<std::uint8_t> FeatureClass(const vcg_ext::MeshView& view, con
 template <class Host>
 Report ApplyWeightedDecimation(Host& host, const Values& values)
 {
-    constexpr bool kMeasureError = true, kNewLayer = false;
     return DecimateCurrentMesh(
-        host, values, kMeasureError, kNewLayer, [&](std::size_t target, vcg_ext::Progress progress) {
+        host, values, DecimationWishes{true}, [&](std::size_t target, vcg_ext::Progress progress) {
             const auto& mesh = host.Mesh();
             const vcg_ext::MeshArrays arrays(mesh);
             vcg_ext::MeshView view = arrays.View();

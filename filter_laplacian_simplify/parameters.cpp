@@ -116,6 +116,11 @@ const std::vector<Parameter>& Parameters()
          "Target percentage (0-100)",
          "Percentage of faces to keep (0-100, not a fraction), of the selected faces if \"Selection only\" "
          "is on. 0 = use \"Target faces\".", {}},
+        {"max_error", {kGuided}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
+         "Largest error (0-100)",
+         "No point of either surface is farther than this from the other, in percent of the diagonal of the "
+         "bounding box; proven at the end. The target is then the lower end: the decimation stops at whichever "
+         "comes first. 0: no bound. Needs order \"sweeps\", and effort \"fast\" or \"balanced\".", {}},
         {"feature_weight", {kGuided}, Type::Real, {2}, {0, 50}, "", "Feature weight (0-50)",
          "How much more collapses near features cost (lambda). 0: plain decimation. 2: in nearly all cases "
          "less error at features, for a few percent more rms error overall. 4 to 8: features take priority. "

@@ -23,7 +23,8 @@ struct MeshDecimationParameters : DecimationParameters {
 };
 
 /// Simplify, for every order and effort. Effort Best measures what every collapse would change, which only
-/// the queue can order: it runs in strict order whatever the order asked for.
+/// the queue can order: it runs in strict order whatever the order asked for. An error bound is kept by the
+/// sweeps alone.
 /// \throws as Simplify
 inline Simplification Decimate(const MeshView& view, const DecimationParameters& parameters)
 {
@@ -31,6 +32,9 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
         return Simplify(view, parameters);
     CheckParameters(parameters);
     CheckMesh(view);
+    if (parameters.maxError > 0)
+        throw std::invalid_argument("max_error = " + std::to_string(parameters.maxError) +
+                                    " needs order sweeps, and effort fast or balanced");
     PipelineStages stages;
     stages.refine = parameters.effort != Effort::Fast;
     stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;

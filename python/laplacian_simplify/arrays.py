@@ -79,7 +79,16 @@ def simplify_arrays(
     mesh, target = _target(mesh, numbers)
     if needs_quality(row, numbers) != (mesh.quality is not None):
         raise ValueError(f"descriptor = {_STORED_QUALITY} and the array quality are given together or not at all")
-    passed = ("feature_weight", "effort", "descriptor", "boundary", "preserve_topology", "measure_error", "threads")
+    passed = (
+        "max_error",
+        "feature_weight",
+        "effort",
+        "descriptor",
+        "boundary",
+        "preserve_topology",
+        "measure_error",
+        "threads",
+    )
     parameters = {name: values[name] or 0 for name in passed}
     with _progress(options.progress) as progress:
         return _simplified(vertices, faces, run(mesh, {**parameters, "target_faces": target}, progress))

@@ -63,11 +63,17 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     """The parameters that were given, all of them in their range."""
     names = [row.id for row in command.filter.parameters if row.id not in WITHOUT_OPTION]
     values = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
+    bound = values.pop("max_error", {})  # a length is checked once the mesh is known
+    if command.filter.has("max_error") and not bound and not SHORT_NAMES.keys() & values.keys():
+        raise ValueError("one of the arguments --faces --percent --max-error is required")
+    if bound.get("max_error") == 0:
+        raise ValueError("max_error = 0 is outside (0, 100] (percent of the bounding box diagonal)")
+    values |= {name: value for name, value in bound.items() if name == "max_error"}
     percent = values.get("target_percent", 100)
     if not 0 < percent <= 100:  # 0 would tell the filter to use target_faces
         raise ValueError(f"target_percent = {percent:g} is outside (0, 100] (percent of the faces)")
     checked(command.filter, values)
-    return values
+    return values | bound
 
 
 def _run(command: Command, files: Files, values: Mapping[str, Any]) -> dict[str, Any]:

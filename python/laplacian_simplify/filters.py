@@ -35,6 +35,7 @@ class SimplifyOptions(TypedDict, total=False):
 
     target_faces: int | None
     target_percent: float | None
+    max_error: float | None
     feature_weight: float | None
     effort: Effort | int | None
     descriptor: Guidance | int | None
@@ -67,6 +68,7 @@ def simplify(
     *,
     target_faces: int | None = None,
     target_percent: float | None = None,
+    max_error: float | None = None,
     feature_weight: float | None = None,
     effort: Effort | int | None = None,
     descriptor: Guidance | int | None = None,
@@ -88,7 +90,7 @@ def simplify(
     >>> vertices, faces = ls.simplify(vertices, faces, target_percent=10)
     >>> small = ls.simplify(mesh, target_percent=10)
 
-    Exactly one of target_faces and target_percent has to be given.
+    One of target_faces and target_percent, or max_error, or it with one of them, has to be given.
 
     Args:
         mesh: vertices as a NumPy array, (n, 3), float32 or float64, with the next argument; or a mesh of trimesh,
@@ -97,6 +99,8 @@ def simplify(
         faces: vertex indices as a NumPy array of integers, (m, 3).
         target_faces: faces to keep, of the selected ones where faces are selected.
         target_percent: percent of the faces to keep, above 0 to 100.
+        max_error: no point of either surface is farther than this from the other, in percent of the diagonal of the
+            bounding box; with a target, whichever comes first, without one as few faces as it allows. 0: no bound.
         feature_weight: lambda, 0 to 50: 0 plain decimation, 2 (default) ahead of it everywhere, 4 to 8 features first.
         effort: geometry against time: fast, balanced (default) or best; best for mesh sets and files only.
         descriptor: what tells features from the rest; curvatures for mesh sets and files only.
@@ -126,9 +130,12 @@ def simplify(
         RuntimeError: the mesh of a set or a file is unusable; it is unchanged.
     """
     name = "meshing_decimation_laplacian_quadric_edge_collapse"
+    if max_error and target_faces is None and target_percent is None:
+        target_faces = 1  # the bound alone ends it
     values = {
         "target_faces": target_faces,
         "target_percent": target_percent,
+        "max_error": max_error,
         "feature_weight": feature_weight,
         "effort": effort,
         "descriptor": descriptor,

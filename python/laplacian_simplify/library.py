@@ -41,6 +41,7 @@ class _Mesh(ctypes.Structure):
 class _Parameters(ctypes.Structure):
     _fields_: ClassVar = [
         ("target_faces", c_uint64),
+        ("max_error", c_double),
         ("feature_weight", c_double),
         ("effort", c_int32),
         ("descriptor", c_int32),
@@ -75,6 +76,8 @@ class _Result(ctypes.Structure):
         ("rms", c_double),
         ("feature_rms", c_double),
         ("folded", c_uint64),
+        ("has_certificate", c_int32),
+        ("certified_error", c_double),
         ("seconds", c_double),
         ("step_count", c_uint64),
         ("steps", ctypes.POINTER(_Step)),
@@ -202,6 +205,7 @@ def _outcome(mesh: MeshArrays, result: _Result) -> Outcome:
     }
     names = [] if cancelled else ["non_manifold_edges", "boundary_edges"]
     names += ["hausdorff", "rms", "feature_rms", "folded"] if result.has_distances else []
+    names += ["certified_error"] if result.has_certificate else []
     report |= {name: getattr(result, name) for name in names}
     return Outcome(
         _copied(result.positions, (result.vertex_count, 3), mesh.vertices.dtype),

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, NoReturn
 
 from . import filters as functions
+from .error_bound import MAX_ERROR_HELP, error_bound
 from .report import Report
 from .streams import show
 from .tables import Filter, Parameter, filter_named, filters
@@ -96,7 +97,7 @@ def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter)
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
     targets: argparse._ActionsContainer = parser
     if row.has("target_faces"):
-        targets = parser.add_mutually_exclusive_group(required=True)
+        targets = parser.add_mutually_exclusive_group(required=not row.has("max_error"))
     other_defaults = dict(command.other_defaults)
     for parameter in row.parameters:
         if parameter.id in WITHOUT_OPTION:
@@ -112,6 +113,8 @@ def _add_option(group: argparse._ActionsContainer, parameter: Parameter, default
         group.add_argument(name, action=argparse.BooleanOptionalAction, **common)
     elif parameter.type == "choice":
         group.add_argument(name, choices=[option.id for option in parameter.options], **common)
+    elif parameter.id == "max_error":
+        group.add_argument(name, type=error_bound, metavar="X[%]", **common)
     else:
         kind = int if parameter.type == "integer" else float
         group.add_argument(name, type=kind, metavar="N" if kind is int else "X", **common)
@@ -121,6 +124,8 @@ def _help(parameter: Parameter, default: object) -> str:
     text = parameter.help
     if parameter.id in SHORT_NAMES:
         return _SHORT_HELP[parameter.id]
+    if parameter.id == "max_error":
+        return MAX_ERROR_HELP.replace("%", "%%")
     if isinstance(default, bool):
         shown = "on" if default else "off"
     elif parameter.options:

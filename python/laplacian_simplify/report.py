@@ -122,6 +122,7 @@ class DecimationReport(Report):
     rms: float | None = None
     feature_rms: float | None = None
     folded: int | None = None
+    certified_error: float | None = None
 
     def __post_init__(self) -> None:
         self.__dict__["stop_reason"] = StopReason(self.stop_reason)

@@ -65,7 +65,10 @@ def with_one_target(filter_name: str, values: Mapping[str, Any]) -> dict[str, An
     numbers = checked(filter_named(filter_name), values)
     faces, percent = numbers.get("target_faces"), numbers.get("target_percent")
     if faces is None and percent is None:
-        raise ValueError("there is no target: give target_faces=5000 or, in percent of the faces, target_percent=10")
+        raise ValueError(
+            "there is no target: give target_faces=5000, target_percent=10 (percent of the faces) or, in percent of "
+            "the bounding box's diagonal, max_error=0.1"
+        )
     if faces is not None and percent is not None:
         raise ValueError(f"target_faces = {faces} and target_percent = {percent:g} are two targets: give one of them")
     if percent == 0:  # it would tell the filter to use its own target_faces

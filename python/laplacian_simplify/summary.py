@@ -34,6 +34,8 @@ def _decimation(report: Mapping[str, Any]) -> list[str]:
             f"distance  rms {report['rms']:.3g} %, at features {report['feature_rms']:.3g} %, "
             f"largest {report['hausdorff']:.3g} % of the bounding box's diagonal"
         )
+    if "certified_error" in report:
+        lines.append(f"proven    within {report['certified_error']:.4g} % of the bounding box's diagonal, both ways")
     checks = [_count(report["vertices"], "vertex", "vertices")]
     if "boundary_edges" in report:  # not after a run that was cancelled
         checks.append(_count(report["non_manifold_edges"], "non-manifold edge"))

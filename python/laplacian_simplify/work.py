@@ -7,6 +7,7 @@ from typing import Any
 
 from . import filters as functions
 from .child import Stage
+from .error_bound import in_percent
 from .files.errors import MeshFileError
 from .files.output_formats import output_format
 from .files.reading import read
@@ -46,7 +47,7 @@ def run(
     stage("working")
     mesh_set.set_verbosity(True)  # then progress is written, which the command follows
     try:
-        report = getattr(functions, function)(mesh_set, **values)
+        report = getattr(functions, function)(mesh_set, **in_percent(values, mesh_set))
     except RuntimeError as error:
         raise MeshFileError(f"{shown_source} cannot be used: {error}") from None
     mesh_set.set_verbosity(False)

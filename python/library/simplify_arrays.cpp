@@ -160,6 +160,7 @@ vcg_ext::DecimationParameters ToCore(const Parameters& given)
 {
     vcg_ext::DecimationParameters parameters;
     parameters.targetFaces = given.target_faces;
+    parameters.maxError = given.max_error;
     parameters.featureWeight = given.feature_weight;
     parameters.effort = static_cast<vcg_ext::Effort>(given.effort);
     parameters.boundary = static_cast<vcg_ext::Boundary>(given.boundary);
@@ -191,6 +192,7 @@ vcg_ext::Simplification Unchanged(const vcg_ext::MeshView& view,
     }
     all.report = vcg_ext::CountsOf(view, all.mesh, parameters.targetFaces);
     if (parameters.measureError) all.report.distances.emplace(); // the surfaces are identical
+    if (parameters.maxError > 0) all.report.certifiedError = 0;
     return all;
 }
 
@@ -228,6 +230,8 @@ void Report(const vcg_ext::DecimationReport& report, Result& result)
     result.stop_reason = static_cast<std::int32_t>(report.stopReason);
     result.non_manifold_edges = report.edges.nonManifold;
     result.boundary_edges = report.edges.boundary;
+    result.has_certificate = report.certifiedError.has_value();
+    result.certified_error = report.certifiedError.value_or(0);
     result.has_distances = report.distances.has_value();
     if (!report.distances) return;
     result.hausdorff = report.distances->hausdorff;

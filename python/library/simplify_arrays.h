@@ -38,6 +38,7 @@ enum {
 /// What is asked for; every field is set by the caller. Choices have the numbers of the filter's.
 struct laplacian_simplify_parameters {
     std::uint64_t target_faces; ///< of the whole mesh, at least 1
+    double max_error;           ///< percent of the bounding box's diagonal, [0, 100]; 0: no bound
     double feature_weight;      ///< [0, 50]
     std::int32_t effort;        ///< 0 fast, 1 balanced; 2, best, needs VCG's queue and is refused
     std::int32_t descriptor;
@@ -75,6 +76,8 @@ struct laplacian_simplify_result {
     double rms;
     double feature_rms;
     std::uint64_t folded;
+    std::int32_t has_certificate; ///< 0: there was no bound, or it could not be proven
+    double certified_error;       ///< percent of the bounding box's diagonal
     double seconds;
     std::uint64_t step_count; ///< 0 where nothing had to be done
     const laplacian_simplify_step* steps;

@@ -142,6 +142,7 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "class_as_quality"};
     QTest::addRow("guided") << FilterId::GuidedDecimation << QStringList{"target_faces",
                                                                          "target_percent",
+                                                                         "max_error",
                                                                          "feature_weight",
                                                                          "effort",
                                                                          "descriptor",
@@ -182,7 +183,7 @@ void TestTables::returnedKeysAreThoseOfTheContract_data()
         << FilterId::GuidedDecimation
         << QStringList{"faces_before",   "faces",  "vertices",    "target_reached", "stop_reason",
                        "hausdorff",      "rms",    "feature_rms", "folded",         "non_manifold_edges",
-                       "boundary_edges", "seconds"};
+                       "boundary_edges", "certified_error", "seconds"};
 }
 
 void TestTables::returnedKeysAreThoseOfTheContract()
@@ -217,6 +218,7 @@ void TestTables::defaultsAreThoseOfTheContract()
     const auto guided = FilterId::GuidedDecimation;
     QCOMPARE(text(FilterId::WeightedDecimation, "feature_weight"), "10");
     QCOMPARE(text(guided, "feature_weight"), "2");
+    QCOMPARE(text(guided, "max_error"), "0");
     QCOMPARE(text(guided, "effort"), "1 `balanced`");
     QCOMPARE(text(guided, "boundary"), "1 `preserve`");
     QCOMPARE(text(guided, "order"), "0 `sweeps`");

@@ -13,6 +13,7 @@
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
+#include "vcg_ext/core/bound/bound_keeper.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
 #include "vcg_ext/core/collapse/trace.h"
@@ -43,6 +44,9 @@ inline void CheckParameters(const DecimationParameters& parameters)
     const double weight = parameters.featureWeight;
     if (!(weight >= 0 && weight <= 50)) // negated, so NaN is refused too
         throw std::invalid_argument("feature_weight = " + std::to_string(weight) + " is outside [0, 50]");
+    const double error = parameters.maxError;
+    if (!(error >= 0 && error <= 100))
+        throw std::invalid_argument("max_error = " + std::to_string(error) + " is outside [0, 100]");
     if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is less than 1");
     if (parameters.threads < 0)
         throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is less than 0");
@@ -66,6 +70,7 @@ struct PipelineStages {
     bool repairFolds = true;
     int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 95;
+    BoundKeeper* bound = nullptr; ///< what the stages have to keep; null: no bound
 };
 
 constexpr std::size_t kDistanceSamples = 100000; ///< a side, beside all vertices
@@ -78,6 +83,42 @@ inline std::optional<FaceTree> TreeOf(const MeshView& original, const DecimatedM
     if (mesh.triangles.empty()) return std::nullopt;
     std::vector<std::uint8_t> fixed;
     return std::make_optional<FaceTree>(original, FrameOf(ViewOf(mesh, original, fixed)), threads, faceOrder);
+}
+
+/// The surface as the caller will have it.
+inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surface, const BoundKeeper* bound)
+{
+    DecimatedMesh mesh = ToMesh(view, surface);
+    if (bound) bound->Round(mesh);
+    return mesh;
+}
+
+/// Refines the surface where that is asked for, and takes it as a mesh.
+inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface,
+                                 const PipelineStages& stages, int threads, const StageProgress& progress)
+{
+    if (!stages.refine || surface.simplified.FaceCount() == 0) return ResultOf(view, surface, stages.bound);
+    std::optional<DecimatedMesh> before;
+    if (stages.bound) before = ResultOf(view, surface, stages.bound);
+    RefinementParameters refinement;
+    refinement.threads = threads;
+    refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
+    refinement.flip = !before; // moves can be taken back one by one
+    Refine(surface.original, surface.simplified, surface.root, refinement);
+    DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
+    if (before) stages.bound->TakeBack(mesh, *before);
+    return mesh;
+}
+
+inline void RepairMesh(const MeshView& view, const FaceTree& tree, DecimatedMesh& mesh, Boundary boundary,
+                       BoundKeeper* bound, int threads, const StageProgress& progress)
+{
+    std::optional<DecimatedMesh> before;
+    if (bound) before = mesh;
+    RepairFolds(view, tree, mesh, boundary, threads, progress);
+    if (!bound) return;
+    bound->Round(mesh);
+    bound->TakeBackAll(mesh, *before);
 }
 
 /// The way from a mesh to its simplification, the same for every collapse:
@@ -102,22 +143,19 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
         {
             const KeptForLater kept{stages.refine, parameters.measureError};
             CollapsedSurface surface = collapse(view, kept, progress.Part(0, stages.collapseEnds));
-            if (stages.refine && surface.simplified.FaceCount() > 0) {
-                RefinementParameters refinement;
-                refinement.threads = threads;
-                refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
-                Refine(surface.original, surface.simplified, surface.root, refinement);
-            }
-            result.mesh = ToMesh(view, surface);
+            result.mesh = RefinedMesh(view, surface, stages, threads, progress);
             result.trace = std::move(surface.trace);
             faceOrder = std::move(surface.faceOrder);
             descriptor = std::move(surface.descriptor);
         }
-        const std::optional<FaceTree> tree = TreeOf(view, result.mesh, faceOrder, threads);
+        std::optional<FaceTree> built;
+        if (!stages.bound) built = TreeOf(view, result.mesh, faceOrder, threads);
+        const FaceTree* const tree = stages.bound ? stages.bound->task.tree.get() : built ? &*built : nullptr;
         if (stages.repairFolds && tree)
-            RepairFolds(view, *tree, result.mesh, parameters.boundary, threads,
-                        progress.Part(stages.repairBegins, 100));
+            RepairMesh(view, *tree, result.mesh, parameters.boundary, stages.bound, threads,
+                       progress.Part(stages.repairBegins, 100));
         result.report = CountsOf(view, result.mesh, parameters.targetFaces);
+        if (stages.bound) result.report.certifiedError = stages.bound->CertifiedError();
         result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (parameters.measureError && tree) {
             if (descriptor.empty()) {
@@ -139,14 +177,40 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
 /// CollapseEngine as the first stage of the pipeline.
 struct SweepCollapse {
     const DecimationParameters& parameters;
+    BoundKeeper* bound = nullptr;
 
     CollapsedSurface operator()(const MeshView& view, KeptForLater kept, StageProgress progress) const
+    {
+        if (!bound) return Run(view, kept, std::move(progress));
+        kept.bound = &bound->task;
+        for (int run = 0;; ++run) { // again, more careful, where the certificate fails
+            constexpr int kRuns = 5;
+            CollapsedSurface surface = Run(view, kept, progress.Part(20 * run, 20 * run + 20));
+            if (bound->Accepts(surface.coveredBy, ResultOf(view, surface, bound)) || run + 1 == kRuns)
+                return surface;
+        }
+    }
+
+  private:
+    CollapsedSurface Run(const MeshView& view, KeptForLater kept, StageProgress progress) const
     {
         CollapseEngine engine(view, parameters, kept, std::move(progress));
         engine.Collapse(parameters.targetFaces);
         return std::move(engine).Extract();
     }
 };
+
+/// The sweep engine from a mesh to its report.
+inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
+{
+    PipelineStages stages;
+    stages.refine = parameters.effort != Effort::Fast;
+    if (!stages.refine) stages.collapseEnds = stages.repairBegins;
+    std::optional<BoundKeeper> bound;
+    if (parameters.maxError > 0)
+        stages.bound = &bound.emplace(view, parameters.maxError, ResolveThreads(parameters.threads));
+    return RunPipeline(view, parameters, stages, SweepCollapse{parameters, stages.bound});
+}
 
 /// Simplifies a mesh of plain arrays, which stays as it is. The collapse is that of CollapseEngine.
 ///
@@ -165,10 +229,7 @@ inline Simplification Simplify(const MeshView& view, const DecimationParameters&
     CheckMesh(view);
     if (parameters.order == Order::Strict || parameters.effort == Effort::Best)
         throw std::invalid_argument("order = strict and effort = best need vcg_ext/decimate.h");
-    PipelineStages stages;
-    stages.refine = parameters.effort != Effort::Fast;
-    if (!stages.refine) stages.collapseEnds = stages.repairBegins;
-    return RunPipeline(view, parameters, stages, SweepCollapse{parameters});
+    return RunSweeps(view, parameters);
 }
 
 } // namespace vcg_ext

@@ -147,6 +147,16 @@ inline std::uint32_t FetchAdd(std::uint32_t& counter, std::uint32_t amount)
     return __atomic_fetch_add(&counter, amount, __ATOMIC_RELAXED); // std::atomic_ref comes with C++20
 }
 
+/// Reads or writes a number that another thread may write or read at the same time: old or new, never torn.
+inline std::uint32_t LoadRelaxed(const std::uint32_t& value)
+{
+    return __atomic_load_n(&value, __ATOMIC_RELAXED);
+}
+inline void StoreRelaxed(std::uint32_t& value, std::uint32_t to)
+{
+    __atomic_store_n(&value, to, __ATOMIC_RELAXED);
+}
+
 /// One pass of a counting sort: item i goes behind all items of lower buckets and behind the earlier items of
 /// its own, so the order does not depend on the number of threads.
 /// \param bucketOf bucketOf(item) in [0, buckets), called twice an item

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/border_planes.h"
 #include "vcg_ext/core/collapse/ring_trial.h"
 #include "vcg_ext/core/collapse/star_sums.h"
@@ -92,7 +93,7 @@ class CollapseWriter
         const StarScratch& star = workspace_.star;
         for (std::uint32_t i = 0; i < star.kept; ++i) {
             FaceRecord& face = state_.faces[FaceOf(star.corner[i])];
-            face.v[IndexOf(star.corner[i])] = survivor;
+            StoreRelaxed(face.v[IndexOf(star.corner[i])], survivor); // see OriginalEdgeCheck::IsStable
             Store(face.scaledNormal, Load(star.normal[i].value));
             const Float4 low = Load(star.change[i].value), high = Load(star.change[i].value + 4);
             AddChange(star.next[i], low, high);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "vcg_ext/core/collapse/apply.h"
+#include "vcg_ext/core/collapse/bound_check.h"
 #include "vcg_ext/core/collapse/edge_costs.h"
 #include "vcg_ext/core/collapse/legality.h"
 #include "vcg_ext/core/collapse/placement.h"
@@ -93,7 +94,9 @@ class VertexVisitor
             const std::uint32_t w = neighbours.vertex[best];
             const bool into = state_.Has(w, kFixedVertex);
             const std::uint32_t removed = into ? v : w, survivor = into ? w : v;
-            const Attempt attempt = Try(removed, survivor, best, range, step);
+            Attempt attempt = Try(removed, survivor, best, range, step);
+            if (state_.bound && !attempt.outside && attempt.cost <= step.threshold)
+                KeepBound(removed, survivor, range, attempt);
             if (attempt.outside) return VisitResult::PutOff;
             if (attempt.cost <= step.threshold) {
                 if (attempt.atRemoved)
@@ -155,6 +158,33 @@ class VertexVisitor
             attempt.cost = EdgeCost(a, b, half, offset) * *penalty;
             if (attempt.cost <= step.threshold) return;
         }
+    }
+
+    /// Moves a collapse that would exceed the bound to another place, or refuses it.
+    void KeepBound(std::uint32_t removed, std::uint32_t survivor, const VertexRange& range, Attempt& attempt)
+    {
+        BoundCheck check(state_, workspace_, removed, survivor, range);
+        const auto settled = [&](BoundVerdict verdict) {
+            attempt.outside = verdict == BoundVerdict::Outside;
+            if (verdict == BoundVerdict::Within) check.Commit(attempt.atRemoved ? removed : survivor);
+            return verdict != BoundVerdict::Beyond;
+        };
+        if (!check.IsRefusedStill()) {
+            if (settled(check.Check(attempt.placement))) return;
+            if (!state_.Has(survivor, kFixedVertex)) {
+                const bool removedFirst = state_.descriptor[removed] > state_.descriptor[survivor];
+                const Vector3<float> ends[2] = {state_.Position(removed), state_.Position(survivor)};
+                for (const int place : {removedFirst ? 0 : 1, removedFirst ? 1 : 0, 2}) {
+                    attempt.atRemoved = place == 0;
+                    attempt.placement = place < 2 ? ends[place] : 0.5F * (ends[0] + ends[1]);
+                    if (EvaluateRing(state_, attempt.placement, workspace_.star) &&
+                        settled(check.Check(attempt.placement)))
+                        return;
+                }
+            }
+            check.Refuse();
+        }
+        attempt.cost = kRefusedKey;
     }
 
     void Merge(std::uint32_t removed, std::uint32_t survivor, const Vector3<float>& placement,

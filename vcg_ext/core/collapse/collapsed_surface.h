@@ -35,6 +35,9 @@ struct CollapsedSurface {
     /// The Laplacian descriptor of every input vertex up to a factor; empty where the collapse had no use for
     /// it.
     std::vector<float> descriptor;
+    /// The input face of the face that is close to each input vertex, where there was a bound; kNone of those
+    /// without faces.
+    std::vector<std::uint32_t> coveredBy;
     StopReason stopReason = StopReason::Target;
     CollapseTrace trace;
 };

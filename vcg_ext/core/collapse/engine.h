@@ -7,14 +7,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/bound/collapse_bound.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/initialize.h"
 #include "vcg_ext/core/collapse/load.h"
 #include "vcg_ext/core/collapse/schedule.h"
+#include "vcg_ext/core/collapse/start_bound.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/surface.h"
@@ -26,6 +30,8 @@ namespace vcg_ext
 struct KeptForLater {
     bool original = false;   ///< CollapsedSurface::original and root
     bool descriptor = false; ///< CollapsedSurface::descriptor
+    BoundTask* bound =
+        nullptr; ///< keeps both surfaces this close, CollapsedSurface::coveredBy; null: no bound
 };
 
 /// Collapses edges in sweeps over arrays, each up to a threshold of the cost, on several threads:
@@ -42,6 +48,8 @@ class CollapseEngine
     SweepState state_;
     int threads_;
     StageProgress progress_;
+    std::optional<CollapseBound> bound_;
+    std::size_t inputVertices_ = 0;
     CollapsedSurface surface_; ///< what is known of it already
     SweepSchedule schedule_;
 
@@ -64,6 +72,8 @@ class CollapseEngine
         const auto report = [&](double way) { progress_(static_cast<int>(way * 100), "Collapsing edges"); };
         surface_.stopReason = schedule_.Run(targetFaces, report);
         surface_.trace = {schedule_.Steps(), static_cast<double>(state_.descriptorScale)};
+        if (bound_ && surface_.stopReason == StopReason::NoLegalCollapse)
+            surface_.stopReason = StopReason::ErrorBound;
         return surface_.stopReason;
     }
 
@@ -78,6 +88,7 @@ class CollapseEngine
                                                                        : std::move(state_.originalCorners);
             BuildCornerLists(surface_.simplified);
         }
+        if (bound_) KeepCoverage();
         state_.vertices.Release();
         state_.faces.Release();
         state_.corners.Release();
@@ -91,6 +102,7 @@ class CollapseEngine
 
     SweepState& Start(const MeshView& view, const DecimationParameters& parameters, KeptForLater kept)
     {
+        inputVertices_ = view.vertexCount;
         state_.featureWeight = static_cast<float>(parameters.featureWeight);
         state_.ratchetRecomputes = view.guidance == nullptr;
         state_.bordersCount = parameters.boundary != Boundary::Free;
@@ -101,9 +113,33 @@ class CollapseEngine
         SweepStarter(view, state_, threads_, parameters.boundary, parameters.descriptorScale).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
         surface_.frame = state_.frame;
+        if (kept.bound && !state_.faces.empty()) KeepBound(view, *kept.bound);
         if (kept.original) KeepOriginal();
         if (kept.descriptor && view.guidance == nullptr) KeepDescriptor(view.vertexCount);
         return state_;
+    }
+
+    void KeepBound(const MeshView& view, BoundTask& task)
+    {
+        if (!task.tree) {
+            std::vector<std::uint32_t> order;
+            order.reserve(state_.faces.size());
+            for (const FaceRecord& face : state_.faces) order.push_back(face.origin);
+            task.tree = std::make_unique<FaceTree>(view, state_.frame, threads_, order);
+        }
+        bound_.emplace(view, *task.tree, CollapseBound::InnerLimit(task.bound));
+        StartBound(state_, *bound_, task, threads_);
+        state_.bound = &*bound_;
+    }
+
+    void KeepCoverage()
+    {
+        const CoveredPoints& covered = bound_->covered;
+        surface_.coveredBy.assign(inputVertices_, kNowhere);
+        for (std::size_t v = 0; v < state_.vertices.size(); ++v)
+            if (covered.face[v] != kNone)
+                surface_.coveredBy[state_.origin[v]] =
+                    state_.faces[covered.face[v]].origin & ~FaceRecord::kDead;
     }
 
     bool Survives(std::size_t v) const

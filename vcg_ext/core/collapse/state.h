@@ -83,6 +83,8 @@ constexpr float kRefusedKey = 1e38f;
 /// No threshold is higher: what is refused stays out of reach.
 constexpr float kHighestThreshold = 5e37f;
 
+struct CollapseBound;
+
 /// Everything that the collapses read and write. Vertices are in Morton order, faces in the order of their
 /// smallest vertex, so that neighbours in space are neighbours in memory.
 struct SweepState {
@@ -109,7 +111,8 @@ struct SweepState {
     bool eightAtOnce = HasAvx2();  ///< the same bytes, in less time
     bool anyFixed = false;
     bool preserveTopology = false;
-    bool sharedSeams = false; ///< of MeshView
+    bool sharedSeams = false;       ///< of MeshView
+    CollapseBound* bound = nullptr; ///< what the collapses may not exceed; null: nothing
 
     std::uint32_t VertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
     Vector3<float> Position(std::uint32_t v) const { return vertices[v].Position(); }

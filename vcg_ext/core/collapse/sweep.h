@@ -52,6 +52,7 @@ class SweepRunner
     {
         if (!listsAreCompact_) CompactCornerLists();
         listsAreCompact_ = false;
+        if (state_.bound) ++state_.bound->sweep;
         const std::size_t before = state_.aliveFaces;
         FormBlocks();
         SweepBlocks(step, target);

@@ -8,6 +8,7 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/bound/trial_faces.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/mesh/surface.h"
 
@@ -102,6 +103,7 @@ struct StarScratch {
 struct Workspace {
     NeighbourScratch neighbours;
     StarScratch star;
+    BoundScratch bound;
     CornerArena arena;
 };
 

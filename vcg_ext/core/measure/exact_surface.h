@@ -30,11 +30,6 @@ class ExactSurface
     const FaceTree& tree_;
     double slack_;
 
-    double Distance2ToFace(std::size_t f, const Vector3<double>& p) const
-    {
-        const Vector3<double> a = Corner(f, 0);
-        return ClosestOnTriangle(p - a, Corner(f, 1) - a, Corner(f, 2) - a).distance2;
-    }
     static Vector3<float> Rounded(const Vector3<double>& p)
     {
         return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
@@ -57,6 +52,11 @@ class ExactSurface
                 (p[2] - frame.center[2]) * frame.scale};
     }
     Vector3<double> Corner(std::size_t f, std::size_t k) const { return Vertex(view_.triangles[3 * f + k]); }
+    double Distance2ToFace(std::size_t f, const Vector3<double>& p) const
+    {
+        const Vector3<double> a = Corner(f, 0);
+        return ClosestOnTriangle(p - a, Corner(f, 1) - a, Corner(f, 2) - a).distance2;
+    }
     /// 2 area times the unit normal.
     Vector3<double> AreaVector(std::size_t f) const
     {
@@ -78,6 +78,17 @@ class ExactSurface
         return search.nearest2;
     }
 
+    /// The same where it is at most \p limit2, with the closest face in search.last; nothing where it is
+    /// more.
+    std::optional<double> Distance2Within(const Vector3<double>& p, double limit2, Search& search) const
+    {
+        const std::optional<std::uint32_t> before = search.last;
+        FindClosest(p, search, std::nextafter(limit2, std::numeric_limits<double>::infinity()));
+        if (search.nearest2 <= limit2) return search.nearest2;
+        search.last = before;
+        return std::nullopt;
+    }
+
     /// Whether the face closest to \p p is turned by more than 90 degrees against \p direction. Of several
     /// that are equally close, as on both sides of an edge, one that is not is enough.
     bool FacesAwayFrom(const Vector3<double>& p, const Vector3<double>& direction, Search& search) const
@@ -97,9 +108,11 @@ class ExactSurface
 
   private:
     /// Finds the closest face, search.last, its distance and what may be as close.
-    void FindClosest(const Vector3<double>& p, Search& search) const
+    /// \param limit2 farther faces are of no interest
+    void FindClosest(const Vector3<double>& p, Search& search,
+                     double limit2 = std::numeric_limits<double>::infinity()) const
     {
-        search.nearest2 = std::numeric_limits<double>::infinity();
+        search.nearest2 = limit2;
         if (search.last) Consider(*search.last, p, search);
         const float seen2 =
             tree_.FindClosest(Rounded(p), static_cast<float>(slack_), Reach2(search.nearest2), search.found);

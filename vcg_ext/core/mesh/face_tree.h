@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -183,6 +184,39 @@ class FaceTree
         });
         DropFar(found, limit2);
         return nearest2;
+    }
+
+    /// A face that is not farther from \p point than the root of \p limit2, the first that is found; nothing
+    /// where there is none.
+    std::optional<Candidate> FaceWithin(const Vector3<float>& point, float limit2) const
+    {
+        std::optional<Candidate> found;
+        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
+            if (found) return -1.0F;
+            const Vector3<Float4> p = faces.Seen(point);
+            // In a fine mesh a corner is close enough, and found sooner.
+            Float4 distance2 = Min(SquaredNorm(p), Min(SquaredNorm(p - faces.b), SquaredNorm(p - faces.c)));
+            if (!AnyLane(distance2 <= Splat(limit2)))
+                distance2 = ClosestOnTriangle(p, faces.Prepared()).distance2;
+            const float near2 = MinLane(distance2);
+            if (!(near2 <= limit2)) return limit2;
+            std::size_t lane = 0;
+            while (distance2[lane] != near2) ++lane;
+            found = Candidate{std::min(near2, Distance2ToFace(indices[lane], point)), indices[lane]};
+            return -1.0F;
+        });
+        return found;
+    }
+
+    /// Squared distance to one face.
+    float Distance2ToFace(std::uint32_t face, const Vector3<float>& point) const
+    {
+        const auto corner = [&](std::size_t k) {
+            const SurfacePoint& p = points_[triangles_[3 * std::size_t{face} + k]];
+            return Vector3<float>{p.x, p.y, p.z};
+        };
+        const Vector3<float> a = corner(0);
+        return ClosestOnTriangle(point - a, corner(1) - a, corner(2) - a).distance2;
     }
 
     /// Calls visit(face) for every face in a box whose squared distance from \p point is at most what the
