@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -265,6 +266,35 @@ class TestBound : public QObject
             double nearest2 = std::numeric_limits<double>::infinity();
             for (const auto& face : to) nearest2 = std::min(nearest2, Distance2({p.x, p.y, p.z}, face));
             QVERIFY(std::sqrt(nearest2) > 0.999 * distance);
+        }
+    }
+
+    /// A result that lost a part is refused, and so is one that has a part too much. Both are near each other
+    /// one way.
+    void certifiesBothWays_data()
+    {
+        QTest::addColumn<bool>("lost");
+        QTest::addRow("a part is lost") << true;
+        QTest::addRow("a part too much") << false;
+    }
+    void certifiesBothWays()
+    {
+        QFETCH(bool, lost);
+        const IndexedMesh one = test_meshes::Grid(3, 3);
+        const IndexedMesh both = Merged(one, Moved(one, 0, 1, {0, 0, 1}));
+        const IndexedMesh &before = lost ? both : one, &after = lost ? one : both;
+        DecimatedMesh result;
+        result.positions.assign(after.points.begin(), after.points.end());
+        result.triangles.assign(after.triangles.begin(), after.triangles.end());
+        result.vertexOrigin.assign(after.points.size(), 0);
+        result.faceOrigin.assign(after.triangles.size(), 0);
+        const MeshView view = View(before);
+        for (const double percent : {10.0, 30.0}) { // the diagonal is 4.2 or 4.4, the parts are 1 apart
+            BoundKeeper keeper(view, percent, 1);
+            keeper.task.tree = std::make_unique<FaceTree>(view, FrameOf(view), 1);
+            QCOMPARE(keeper.Accepts(std::vector<std::uint32_t>(view.vertexCount, kNone), result),
+                     percent > 20);
+            QCOMPARE(keeper.CertifiedError().has_value(), percent > 20);
         }
     }
 
