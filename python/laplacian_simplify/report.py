@@ -14,7 +14,7 @@ from .summary import summary_lines
 if TYPE_CHECKING:
     import pymeshlab
 
-STOP_REASONS = ("target reached", "error bound reached", "no legal collapse left", "cancelled")
+STOP_REASONS = ("target reached", "error bound reached", "no further collapse possible without damage", "canceled")
 """What the numbers of ``stop_reason`` mean."""
 
 

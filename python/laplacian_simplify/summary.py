@@ -37,7 +37,7 @@ def _decimation(report: Mapping[str, Any]) -> list[str]:
     if "certified_error" in report:
         lines.append(f"proven    within {report['certified_error']:.4g} % of the bounding box's diagonal, both ways")
     checks = [_count(report["vertices"], "vertex", "vertices")]
-    if "boundary_edges" in report:  # not after a run that was cancelled
+    if "boundary_edges" in report:  # not after a run that was canceled
         checks.append(_count(report["non_manifold_edges"], "non-manifold edge"))
         checks.append(_count(report["boundary_edges"], "boundary edge"))
     if "folded" in report:

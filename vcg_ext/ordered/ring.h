@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <vcg/complex/complex.h>
 
 #include "vcg_ext/core/collapse/cost.h"
+#include "vcg_ext/core/geometry/frame.h"
 
 namespace vcg_ext
 {
