@@ -45,7 +45,7 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
     case vcg_ext::StopReason::Target:
         return "target reached";
     case vcg_ext::StopReason::ErrorBound:
-        return missed + "every further collapse would exceed the error bound";
+        return "error bound reached: every further collapse would exceed it";
     case vcg_ext::StopReason::NoLegalCollapse:
         if (decimation.edges.boundary >
             2 * decimation.faces) // an STL file: every face has vertices of its own

@@ -11,6 +11,10 @@ def summary(source: str, target: str, report: Mapping[str, Any]) -> str:
     return "\n".join([f"{source} -> {target} in {report['seconds']:.2f} s", *summary_lines(report)])
 
 
+_ERROR_BOUND = 1
+"""The stop reason of a run that went as far as it was allowed to: no target was missed."""
+
+
 def summary_lines(report: Mapping[str, Any]) -> list[str]:
     """The numbers of a report."""
     if "faces_before" in report:
@@ -26,7 +30,7 @@ def summary_lines(report: Mapping[str, Any]) -> list[str]:
 def _decimation(report: Mapping[str, Any]) -> list[str]:
     before, after = report["faces_before"], report["faces"]
     outcome = report["stop_reason_text"]
-    if not report["target_reached"]:
+    if not report["target_reached"] and report["stop_reason"] != _ERROR_BOUND:
         outcome = f"target NOT reached: {outcome}"
     lines = [f"faces     {before:,} -> {after:,} ({100 * after / before:.3g} %), {outcome}"]
     if "rms" in report:

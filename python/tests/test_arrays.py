@@ -288,7 +288,7 @@ def test_progress_that_returns_false_stops_the_run(refusal) -> None:
     assert not np.shares_memory(result.vertices, vertices)
     assert np.array_equal(result.vertex_origin, np.arange(len(vertices)))
     assert result.report.faces == result.report.faces_before == len(result.faces)
-    assert "cancelled" in str(result.report)
+    assert "canceled" in str(result.report)
 
 
 def test_what_progress_raises_is_raised() -> None:
