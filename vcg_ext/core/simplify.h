@@ -16,7 +16,6 @@
 #include "vcg_ext/core/bound/bound_keeper.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
-#include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/measure/report.h"
@@ -34,7 +33,6 @@ namespace vcg_ext
 struct Simplification {
     DecimatedMesh mesh;
     DecimationReport report;
-    CollapseTrace trace; ///< of the sweeps
 };
 
 /// Checks what does not depend on the mesh. \throws std::invalid_argument that names parameter, value and
@@ -140,11 +138,12 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
     try {
         std::vector<std::uint32_t> faceOrder;
         std::vector<float> descriptor;
+        CollapseTrace trace;
         {
             const KeptForLater kept{stages.refine, parameters.measureError};
             CollapsedSurface surface = collapse(view, kept, progress.Part(0, stages.collapseEnds));
             result.mesh = RefinedMesh(view, surface, stages, threads, progress);
-            result.trace = std::move(surface.trace);
+            trace = std::move(surface.trace);
             faceOrder = std::move(surface.faceOrder);
             descriptor = std::move(surface.descriptor);
         }
@@ -156,6 +155,7 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
                        progress.Part(stages.repairBegins, 100));
         result.report = CountsOf(view, result.mesh, parameters.targetFaces);
         if (stages.bound) result.report.certifiedError = stages.bound->CertifiedError();
+        result.report.trace = std::move(trace);
         result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (parameters.measureError && tree) {
             if (descriptor.empty()) {
