@@ -185,7 +185,7 @@ HUGE = np.broadcast_to(np.zeros((1, 3)), (2**31, 3)), np.broadcast_to(np.zeros((
 @pytest.mark.parametrize(
     ("arguments", "error", "said"),
     [
-        ((V, F), ValueError, "there is no target: give target_faces=5000 or"),
+        ((V, F), ValueError, "there is no target: give target_faces=5000, "),
         ((V, F, {"target_faces": 5, "target_percent": 10}), ValueError, "are two targets: give one of them"),
         ((V, F, {"target_percent": 0}), ValueError, r"target_percent = 0 is outside \(0, 100\]"),
         ((V, F, {"target_percent": float("nan")}), ValueError, "target_percent = nan is outside"),

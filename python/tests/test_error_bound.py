@@ -78,3 +78,15 @@ def test_percent_and_length_are_the_same(tmp_path: Path, load_sample) -> None:
         assert 0.1 < numbers["certified_error"] <= 0.2 * (1 + 1e-12)
         faces.append(numbers["faces"])
     assert faces[0] == faces[1]
+
+
+def test_arrays_have_the_same_bound(load_sample) -> None:
+    mesh_set = load_sample("flange.ply")
+    vertices, faces = positions_and_faces(mesh_set)
+    small = ls.simplify(vertices, faces, max_error=0.5)
+    report = ls.simplify(mesh_set, max_error=0.5)
+    assert small.report.certified_error == report.certified_error
+    assert small.report.stop_reason == report.stop_reason == ls.StopReason.ERROR_BOUND
+    assert len(small.faces) == report.faces
+    with pytest.raises(ValueError, match="max_error"):
+        ls.simplify(vertices, faces, max_error=101)
