@@ -69,7 +69,7 @@ constexpr float kBackwardOutlier = 16;
 /// x rms; what is farther must not get farther still. Below 4 all distances are worse; 8 gains nothing.
 constexpr float kTolerableDistance = 6;
 /// x the distance of the farthest sample: the same.
-constexpr float kTolerableOfFarthest = 0.8F;
+constexpr float kTolerableOfFarthest = 0.9F;
 
 // Moves
 
