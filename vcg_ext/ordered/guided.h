@@ -36,7 +36,7 @@ struct GuidedParameters {
 ///
 ///     Q(x)  = w_u C_u(x) + w_v C_v(x)                                       no memory
 ///     x     = argmin Q(x) + volume plane + 1e-6 trace(Q) / 3 |x - midpoint|²
-///     g     = max(Q(x), .25 A(x)) + .5 F w A(x) / trace(A) + 1e-12 |uv|² trace(A)
+///     g     = max(Q(x), .25 A(x)) + .3 F w A(x) / trace(A) + 1e-12 |uv|² trace(A)
 ///     cost  = g max(1, .03 / worst quality)
 ///
 /// with A = A_u + A_v, w the larger weight and F twice the area of the mean face that is left.

@@ -250,8 +250,8 @@ void TestRefine::theSameSurfaceStaysAsItIs()
     }
 }
 
-/// A flat sheet with one vertex out of place by a fiftieth of a face's size, and by a hundred-and-fiftieth: the
-/// rms is below what is worth a pass, but the first is not below what one sees.
+/// A flat sheet with one vertex out of place by a fiftieth of a face's size, and by a hundred-and-fiftieth:
+/// the rms is below what is worth a pass, but the first is not below what one sees.
 void TestRefine::aSingleDentIsReasonEnough()
 {
     for (const double height : {1.0 / 50, 1.0 / 150}) {

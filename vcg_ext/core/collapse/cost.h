@@ -20,11 +20,12 @@ namespace vcg_ext
 
 /// Relative weight that pulls a placement to the edge's midpoint: 1e-6 of the mean eigenvalue.
 constexpr float kMidpointPull = 1e-6f / 3.0f;
-/// Part of the accumulated quadrics below which a cost never falls. Beside kDistanceWeight, .15 gives the same
-/// errors and leaves more folded faces.
+/// Part of the accumulated quadrics below which a cost never falls. Beside kDistanceWeight, .15 gives the
+/// same errors and leaves more folded faces.
 constexpr float kHistoryFloor = 0.25f;
-/// Of the mean face that is left: the area that a distance counts for, whatever the size of its star.
-constexpr float kDistanceWeight = 0.5f;
+/// Of the mean double area of a face that is left: what a distance counts for, whatever the size of its star.
+/// .5 lowers the rms at features of effort fast by 2 % more and raises the rms by 1 %.
+constexpr float kDistanceWeight = 0.3f;
 /// Cost of length alone, which decides between edges that are equally flat.
 constexpr float kLengthCost = 1e-12f;
 /// Weight of the volume plane against the planes of the stars.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
@@ -115,6 +116,18 @@ inline void SearchFarSamples(const SurfaceArrays& simplified, Buffer<Sample>& sa
     });
 }
 
+/// Puts each sample at its place, without a second copy of all: together they set the peak of memory where
+/// little is removed. \p place is a permutation, and used up.
+inline void PutInPlace(Buffer<Sample>& samples, Buffer<std::uint32_t>& place)
+{
+    for (std::uint32_t i = 0; i < place.size(); ++i)
+        while (place[i] != i) {
+            const std::uint32_t to = place[i];
+            std::swap(samples[i], samples[to]);
+            std::swap(place[i], place[to]);
+        }
+}
+
 /// Samples of \p original attached to the faces of \p simplified. Lists hop through memory, so the samples of
 /// a face are put side by side: that halves the time of every later pass.
 inline SampleLists AttachSamples(const SurfaceArrays& original, const SurfaceArrays& simplified,
@@ -124,11 +137,13 @@ inline SampleLists AttachSamples(const SurfaceArrays& original, const SurfaceArr
         LocateSamples(simplified, SampleDrawer(original, simplified, root, threads), threads);
     SearchFarSamples(simplified, located, threads);
     SampleLists lists;
-    lists.samples.Allocate(located.size());
     lists.faces.Allocate(simplified.FaceCount());
+    Buffer<std::uint32_t> place(located.size());
     const std::vector<std::uint32_t> begin = StableScatter(
         threads, located.size(), simplified.FaceCount(), [&](std::size_t i) { return located[i].face; },
-        [&](std::size_t i, std::uint32_t place) { lists.samples[place] = located[i]; });
+        [&](std::size_t i, std::uint32_t to) { place[i] = to; });
+    PutInPlace(located, place);
+    lists.samples = std::move(located);
     ParallelRanges(threads, simplified.FaceCount(), 4096, [&](std::size_t from, std::size_t to, int) {
         for (std::size_t f = from; f < to; ++f) {
             const auto face = static_cast<std::uint32_t>(f);
