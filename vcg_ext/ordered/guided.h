@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cstdint>
@@ -35,7 +36,10 @@ struct GuidedParameters {
 ///
 ///     Q(x)  = w_u C_u(x) + w_v C_v(x)                                       no memory
 ///     x     = argmin Q(x) + volume plane + 1e-6 trace(Q) / 3 |x - midpoint|²
-///     cost  = (max(Q(x), .35 (A_u + A_v)(x)) + 1e-12 |uv|² trace(A_u + A_v)) max(1, .03 / worst quality)
+///     g     = max(Q(x), .25 A(x)) + .3 F w A(x) / trace(A) + 1e-12 |uv|² trace(A)
+///     cost  = g max(1, .03 / worst quality)
+///
+/// with A = A_u + A_v, w the larger weight and F twice the area of the mean face that is left.
 ///
 /// Where an end of the edge costs no more than rounding x is that end: flat parts and straight creases keep
 /// places of the input, and the vertex that was there survives. Where a face would turn by more than acos(.2)
@@ -60,9 +64,16 @@ class GuidedCollapse
     std::vector<std::uint32_t> parent_; ///< where a vertex went; itself where it is still there
     std::vector<std::uint8_t> moved_;
     std::vector<StarFace> starFaces_; ///< scratch of Assess
+    double doubleArea_ = 0;           ///< of the faces at the start
 
     std::size_t IndexOf(const VertexType& vertex) const { return vcg::tri::Index(mesh_, &vertex); }
     const End& EndOf(const VertexType& vertex) const { return stars_.end(IndexOf(vertex)); }
+
+    /// As of EdgeCost; it rises with every collapse, so prices in the queue are lower bounds.
+    double DistanceAreaNow() const
+    {
+        return DistanceArea(doubleArea_, static_cast<std::size_t>(std::max(0, mesh_.fn)));
+    }
 
     /// The factor of a cost with the new vertex at \p x. \pre starFaces_ are gathered
     std::optional<double> PenaltyAt(const Vector3d& x) const
@@ -77,8 +88,9 @@ class GuidedCollapse
     {
         const StarAreas<double> areas = stars_.Gather(removed, kept, starFaces_);
         return PlaceEdge(
-            EndOf(removed), EndOf(kept), IsFixed(kept), GuidedCollapse::Estimate(removed, kept), DBL_MAX,
-            [&] { return areas; }, [this](const Vector3d& x) { return PenaltyAt(x); });
+            EndOf(removed), EndOf(kept), IsFixed(kept), GuidedCollapse::Estimate(removed, kept),
+            DistanceAreaNow(), DBL_MAX, [&] { return areas; },
+            [this](const Vector3d& x) { return PenaltyAt(x); });
     }
 
     /// Where the best place is refused one of these may do, so that targets stay within reach.
@@ -87,7 +99,7 @@ class GuidedCollapse
         std::optional<Placed> cheapest;
         const Vector3d half = HalfEdgeVector(a, b);
         for (const Vector3d& offset : OtherOffsets(half)) {
-            Placed placed = PlaceAt(a, b, half, offset);
+            Placed placed = PlaceAt(a, b, half, offset, DistanceAreaNow());
             const std::optional<double> penalty = PenaltyAt(placed.position);
             if (!penalty) continue;
             placed.cost *= *penalty;
@@ -104,6 +116,8 @@ class GuidedCollapse
           parent_(mesh.vert.size()), moved_(mesh.vert.size(), 0)
     {
         std::iota(parent_.begin(), parent_.end(), 0U);
+        for (const FaceType& face : mesh.face)
+            if (!face.IsD()) doubleArea_ += stars_.DoubleArea(face);
     }
 
     /// l of every vertex.
@@ -128,7 +142,7 @@ class GuidedCollapse
     {
         const End &a = EndOf(removed), &b = EndOf(kept);
         const Vector3d half = HalfEdgeVector(a, b);
-        return EdgeCost(a, b, half, IsFixed(kept) ? half : OptimalOffset(a, b, half));
+        return EdgeCost(a, b, half, IsFixed(kept) ? half : OptimalOffset(a, b, half), DistanceAreaNow());
     }
 
     std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept, double)

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include <random>
+#include <utility>
 
 #include "vcg_ext/core/collapse/cost.h"
 
@@ -70,12 +71,23 @@ PlacedEdge<Real> Place(const EdgeEnd<float>& a, const EdgeEnd<float>& b)
     const EdgeEnd<Real> first = As<Real>(a), second = As<Real>(b);
     const Vector3<Real> half = HalfEdgeVector(first, second);
     const Vector3<Real> offset = OptimalOffset(first, second, half);
-    return {offset, EdgeCost(first, second, half, offset)};
+    constexpr float kArea = 0.7f;
+    return {offset, EdgeCost(first, second, half, offset, Real{} + kArea)};
 }
 
 bool Near(double a, double b, double relative)
 {
     return std::abs(a - b) <= relative * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+/// An edge of length 2 in the plane z = 0, with stars of \p doubleArea there.
+std::pair<EdgeEnd<float>, EdgeEnd<float>> FlatEdge(float doubleArea)
+{
+    const SymmetricMatrix3<float> plane{0, 0, 0, 0, 0, doubleArea};
+    EdgeEnd<float> a{{0, 0, 0}, 1, plane, {plane, {}, 0}};
+    EdgeEnd<float> b = a;
+    b.position = {2, 0, 0};
+    return {a, b};
 }
 
 /// The two other corners of a face at the origin that is turned by \p degrees about the x axis.
@@ -194,16 +206,42 @@ class TestCost : public QObject
 
     void anErrorOfRoundingCostsNoMoreThanItsBound()
     {
-        const SymmetricMatrix3<float> plane = OuterProduct(Vector3<float>{0, 0, 3});
-        EdgeEnd<float> a{{0, 0, 0}, 1, plane, {plane, {}, 0}};
-        EdgeEnd<float> b = a;
-        b.position = {2, 0, 0};
-        const auto cost = [&](float height) {
+        for (const float distanceArea : {0.0f, 50.0f}) {
+            const auto [a, b] = FlatEdge(9);
             const Vector3<float> half = HalfEdgeVector(a, b);
-            return EdgeCost(a, b, half, {0, 0, height});
-        };
-        QVERIFY(cost(0.99f * kNoDistance) < RoundingCost(a, b));
-        QVERIFY(cost(1.01f * kNoDistance) > RoundingCost(a, b));
+            const float bound = RoundingCost(a, b, distanceArea);
+            QVERIFY(EdgeCost(a, b, half, {0, 0, 0.99f * kNoDistance}, distanceArea) < bound);
+            QVERIFY(EdgeCost(a, b, half, {0, 0, 1.01f * kNoDistance}, distanceArea) > bound);
+        }
+    }
+
+    void aDistanceCostsTheSameWhateverTheSizeOfTheStar()
+    {
+        // Each end has a star of that double area in the plane z = 0: at z = h it costs h^2 times both, and
+        // h^2 once more over the area that every distance counts for.
+        constexpr float kArea = 50, kHeight = 0.5f;
+        for (const float starArea : {1e-3f, 1.0f, 1e3f}) {
+            const auto [a, b] = FlatEdge(starArea);
+            const float cost = EdgeCost(a, b, HalfEdgeVector(a, b), {0, 0, kHeight}, kArea);
+            QVERIFY(Near(cost, kHeight * kHeight * (2 * starArea + kArea), 1e-6));
+        }
+    }
+
+    void aDistanceCountsWithTheLargerWeight()
+    {
+        auto [a, b] = FlatEdge(1e-6f);
+        b.weight = 5;
+        b.history = 5.0f * b.history;
+        const float cost = EdgeCost(a, b, HalfEdgeVector(a, b), {0, 0, 1}, 50.0f);
+        QVERIFY(Near(cost, 5 * 50, 1e-6));
+    }
+
+    void theCostOfADistanceNeverFallsInARun()
+    {
+        // The keys of the sweeps, lower bounds of costs, rely on it.
+        QVERIFY(Near(DistanceArea(8, 2), 0.3 * 4, 1e-6)); // 4 is the double area of a face
+        QVERIFY(DistanceArea(8, 1) > DistanceArea(8, 2));
+        QVERIFY(std::isfinite(DistanceArea(8, 0)));
     }
 
     void aFaceMustNotLoseItsAreaUnlessItHadNone()

@@ -21,7 +21,7 @@ class TestAttachSamples : public QObject
 
   private slots:
     /// Where there are more than eight for each simplified face, centroids are left out and the others have
-    /// their share.
+    /// their share; where there are fewer than four, midpoints of edges have a part of it.
     void samplesShareTheWholeArea()
     {
         for (const int levels : {1, 3}) {
@@ -34,8 +34,40 @@ class TestAttachSamples : public QObject
             for (const auto& sample : lists.samples) weight += static_cast<double>(sample.weight);
             // every second centroid stands for two: the faces of the sphere differ by a few percent
             QVERIFY(std::abs(weight / area - 1) < 0.03);
-            QCOMPARE(lists.samples.size() == 642 + 1280, levels == 3);
+            QCOMPARE(lists.samples.size() == 642 + 1280 + 1920, levels == 3);
         }
+    }
+
+    /// A centroid that stands for a hundred faces would be fitted like a hundred vertices.
+    void noSampleStandsForMuchMoreThanAnother()
+    {
+        SurfacePair pair = MakePair(Icosphere(3), Icosphere(0));
+        const auto lists = vcg_ext::AttachSamples(pair.original, pair.simplified, pair.root, 1);
+        const auto [least, most] =
+            std::minmax_element(lists.samples.begin(), lists.samples.end(),
+                                [](const auto& a, const auto& b) { return a.weight < b.weight; });
+        QVERIFY(most->weight < 3 * least->weight); // areas of the faces differ by a factor below 2
+    }
+
+    /// Two parallel squares; one sample is looked for on the wrong one first, where a walk finds no way out.
+    void aSampleFromTheWrongSheetIsSearchedForEverywhere()
+    {
+        const auto squares = [](int cells) {
+            IndexedMesh mesh = Grid(cells, cells, 1.0 / cells);
+            const IndexedMesh lower = mesh;
+            const std::size_t v = mesh.points.size();
+            for (Point p : lower.points) {
+                p[2] += 0.25;
+                mesh.points.push_back(p);
+            }
+            for (const Triangle& t : lower.triangles) mesh.AddTriangle(v + t[0], v + t[1], v + t[2]);
+            return mesh;
+        };
+        const IndexedMesh coarse = squares(4);
+        SurfacePair pair = MakePair(squares(16), coarse);
+        pair.root[20] = static_cast<std::uint32_t>(coarse.points.size() - 1);
+        const auto lists = vcg_ext::AttachSamples(pair.original, pair.simplified, pair.root, 1);
+        for (const auto& sample : lists.samples) QVERIFY(sample.distance2 < 1e-6F);
     }
 
     void everySampleKnowsItsFaceAndItsDistance()

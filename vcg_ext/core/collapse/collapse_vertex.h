@@ -64,7 +64,8 @@ class VertexVisitor
         const EdgeEnd<float> a = state_.vertices[removed].End(), b = state_.vertices[survivor].End();
         const bool fixed = state_.Has(survivor, kFixedVertex);
         const auto placed = PlaceEdge(
-            a, b, fixed, attempt.cost, step.threshold, [&] { return AreasOf(state_, workspace_.star); },
+            a, b, fixed, attempt.cost, state_.distanceArea, step.threshold,
+            [&] { return AreasOf(state_, workspace_.star); },
             [&](const Vector3<float>& x) { return EvaluateRing(state_, x, workspace_.star); });
         if (placed) {
             attempt.placement = placed->position;
@@ -155,7 +156,7 @@ class VertexVisitor
             const std::optional<float> penalty = EvaluateRing(state_, placement, workspace_.star);
             if (!penalty) continue;
             attempt.placement = placement;
-            attempt.cost = EdgeCost(a, b, half, offset) * *penalty;
+            attempt.cost = EdgeCost(a, b, half, offset, state_.distanceArea) * *penalty;
             if (attempt.cost <= step.threshold) return;
         }
     }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "vcg_ext/core/geometry/symmetric_matrix.h"
 
@@ -19,8 +20,12 @@ namespace vcg_ext
 
 /// Relative weight that pulls a placement to the edge's midpoint: 1e-6 of the mean eigenvalue.
 constexpr float kMidpointPull = 1e-6f / 3.0f;
-/// Part of the accumulated quadrics below which a cost never falls.
-constexpr float kHistoryFloor = 0.35f;
+/// Part of the accumulated quadrics below which a cost never falls. Beside kDistanceWeight, .15 gives the
+/// same errors and leaves more folded faces.
+constexpr float kHistoryFloor = 0.25f;
+/// Of the mean double area of a face that is left: what a distance counts for, whatever the size of its star.
+/// .5 lowers the rms at features of effort fast by 2 % more and raises the rms by 1 %.
+constexpr float kDistanceWeight = 0.3f;
 /// Cost of length alone, which decides between edges that are equally flat.
 constexpr float kLengthCost = 1e-12f;
 /// Weight of the volume plane against the planes of the stars.
@@ -123,27 +128,50 @@ template <class Real>
     return SolveRegularized(both, (cb - ca) * half, MidpointPull(both));
 }
 
-/// g: the memoryless quadric at the placement, at least a part of the accumulated ones, and a little length.
+/// The area for which a distance counts in a cost, in the unit of the quadrics.
+/// \param doubleArea twice the area of the surface \param faces that are left of it
+inline double DistanceArea(double doubleArea, std::size_t faces)
+{
+    return double{kDistanceWeight} * doubleArea / static_cast<double>(std::max<std::size_t>(1, faces));
+}
+
+/// The weight with which a distance counts beside the planes of the stars: what the new vertex will have.
+template <class Real>
+[[gnu::always_inline]] inline Real WeightedArea(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                                const Real& distanceArea)
+{
+    return Max(a.weight, b.weight) * distanceArea;
+}
+
+/// g: the memoryless quadric at the placement, at least a part of the accumulated ones; the mean squared
+/// distance to the accumulated planes over an area that is the same for all edges, as otherwise small stars
+/// could go far astray at no cost; and a little length.
 /// \param offset of the placement from the midpoint
+/// \param distanceArea DistanceArea of the surface
 template <class Real>
 [[gnu::always_inline]] inline Real EdgeCost(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
-                                            const Vector3<Real>& half, const Vector3<Real>& offset)
+                                            const Vector3<Real>& half, const Vector3<Real>& offset,
+                                            const Real& distanceArea)
 {
     const Vector3<Real> fromA = offset + half;
     const Vector3<Real> fromB = offset - half;
     const Real star = QuadraticForm(a.weight * a.star, fromA) + QuadraticForm(b.weight * b.star, fromB);
     const Real history = a.history(fromA) + b.history(fromB);
     const Real length2 = 4.0f * Dot(half, half);
-    return Max(Max(star, history * kHistoryFloor), Real{}) +
-           (kLengthCost * length2) * (a.history.matrix.Trace() + b.history.matrix.Trace());
+    const Real historyTrace = a.history.matrix.Trace() + b.history.matrix.Trace();
+    const Real distance2 = Max(history, Real{}) / Max(historyTrace, Broadcast<Real>(kSmallestSquare));
+    return Max(Max(star, history * kHistoryFloor), Real{}) + WeightedArea(a, b, distanceArea) * distance2 +
+           (kLengthCost * length2) * historyTrace;
 }
 
 /// What an edge costs, at most, whose placement misses the planes of its ends by kNoDistance: below it one
 /// placement is as good as another.
 template <class Real>
-[[gnu::always_inline]] inline Real RoundingCost(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b)
+[[gnu::always_inline]] inline Real RoundingCost(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                                const Real& distanceArea)
 {
-    return kNoDistance * kNoDistance * (a.history.matrix.Trace() + b.history.matrix.Trace());
+    return kNoDistance * kNoDistance *
+           (a.history.matrix.Trace() + b.history.matrix.Trace() + WeightedArea(a, b, distanceArea));
 }
 
 /// The stars of both ends as areas with direction.

@@ -97,12 +97,13 @@ template <class Real, class Placement>
     std::uint32_t* w = neighbours.vertex.data();
     const std::uint32_t size = neighbours.size;
     for (std::size_t i = 0; i < kLanesOf<Real>; ++i) w[size + i] = w[size - 1];
+    const Real distanceArea = Broadcast<Real>(state.distanceArea);
     const EdgeEnd<Real> a = BroadcastEnd<Real>(state.vertices[v].End());
     for (std::uint32_t i = 0; i < size; i += kLanesOf<Real>) {
         const EdgeEnd<Real> b = LoadEnds<Real>(state, w + i);
         const Vector3<Real> half = HalfEdgeVector(a, b);
         const Vector3<Real> offset = placementOf(w + i, half, OptimalOffset(a, b, half));
-        const Real cost = EdgeCost(a, b, half, offset);
+        const Real cost = EdgeCost(a, b, half, offset, distanceArea);
         std::memcpy(&neighbours.cost[i], &cost, sizeof cost);
     }
 }

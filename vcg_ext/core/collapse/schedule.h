@@ -77,12 +77,15 @@ class SweepSchedule
     StopReason Run(std::size_t target, const Report& report)
     {
         const std::size_t start = state_.aliveFaces;
+        const double area = DoubleArea();
         SweepStep step;
+        MeasureDistancesBy(area);
         if (start > target) step.threshold = FirstThreshold(target);
         while (state_.aliveFaces > target) {
             const auto way =
                 static_cast<double>(start - state_.aliveFaces) / static_cast<double>(start - target);
             report(way);
+            MeasureDistancesBy(area); // costs rise with it, so that what the keys say stays true
             const std::size_t died = runner_.Sweep(step, target);
             steps_.push_back({static_cast<double>(step.threshold) * costUnit_, state_.aliveFaces});
             if (IsAtLimit(step, died)) return StopReason::ErrorBound;
@@ -109,6 +112,21 @@ class SweepSchedule
     {
         if (!(limit_ < kHighestThreshold) || next < kNearLimit * limit_) return next;
         return std::min(limit_, std::max(kNearLimitRatio * last, kNearLimit * limit_));
+    }
+
+    /// Twice the area of the surface.
+    double DoubleArea() const
+    {
+        double area = 0;
+        for (const FaceRecord& face : state_.faces) {
+            const Vector3<float> m = face.Normal();
+            if (face.Alive()) area += static_cast<double>(Dot(m, m));
+        }
+        return area;
+    }
+    void MeasureDistancesBy(double doubleArea)
+    {
+        state_.distanceArea = static_cast<float>(DistanceArea(doubleArea, state_.aliveFaces));
     }
 
     SweepStep NextStep(const SweepStep& step, std::size_t died, std::size_t target)
@@ -170,8 +188,8 @@ class SweepSchedule
         return values[static_cast<std::size_t>(place)];
     }
 
-    /// Costs of a distance that the frame's floats can hardly tell from none, over a star of average area.
-    /// What is cheaper differs by rounding only.
+    /// Costs of a distance that the frame's floats can hardly tell from none, over a star of average area and
+    /// by itself. What is cheaper differs by rounding only.
     float LowestUsefulThreshold() const
     {
         double area = 0;
@@ -184,7 +202,8 @@ class SweepSchedule
             ++samples;
         }
         const double starArea = samples > 0 ? 12 * area / static_cast<double>(samples) : 0;
-        return std::max(kLowestThreshold, static_cast<float>(starArea * kNoDistance * kNoDistance));
+        const double counted = starArea + static_cast<double>(state_.distanceArea);
+        return std::max(kLowestThreshold, static_cast<float>(counted * kNoDistance * kNoDistance));
     }
 
     /// A multiple of the last threshold, and more where that would reach hardly anybody.

@@ -105,6 +105,7 @@ struct SweepState {
     Frame frame;                   ///< of the box of the referenced vertices
     float descriptorScale = 1;     ///< 1 / the descriptor that counts as 1
     float featureWeight = 0;       ///< lambda
+    float distanceArea = 0;        ///< DistanceArea of what is left; the same throughout a sweep
     bool ratchetRecomputes = true; ///< the survivor's descriptor is measured again
     bool bordersCount = true;      ///< planes perpendicular to open borders belong to the quadrics
     bool keepOriginal = false;     ///< the input's lists are not overwritten

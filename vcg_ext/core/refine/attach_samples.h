@@ -3,17 +3,21 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/draw_samples.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/star.h"
@@ -21,125 +25,6 @@
 
 namespace vcg_ext
 {
-
-/// Which samples are drawn: every vertex on a face, and every centroidStep-th face.
-struct SamplePlan {
-    std::size_t vertices = 0;
-    std::size_t centroids = 0;
-    std::size_t centroidStep = 1;
-
-    std::size_t Items() const { return vertices + centroids; }
-    bool IsVertex(std::size_t item) const { return item < vertices; }
-    std::uint32_t FaceOfItem(std::size_t item) const
-    {
-        return static_cast<std::uint32_t>((item - vertices) * centroidStep);
-    }
-};
-
-inline SamplePlan PlanSamples(const SurfaceArrays& original, const SurfaceArrays& simplified)
-{
-    const double faces = static_cast<double>(std::max<std::size_t>(1, simplified.FaceCount()));
-    const double vertices = static_cast<double>(original.VertexCount()) / faces;
-    const double centroids = static_cast<double>(original.FaceCount()) / faces;
-    const double wanted = std::max(0.5, double{kSamplesPerFace} - vertices);
-    SamplePlan plan;
-    plan.vertices = original.VertexCount();
-    if (vertices + centroids > double{kSamplesPerFace})
-        plan.centroidStep = static_cast<std::size_t>(std::max(1L, std::lround(centroids / wanted)));
-    // Subdivided meshes hold their faces in fours: an even step would always meet the same one.
-    if (plan.centroidStep > 2) plan.centroidStep |= 1;
-    plan.centroids = (original.FaceCount() + plan.centroidStep - 1) / plan.centroidStep;
-    return plan;
-}
-
-/// Draws the samples, grouped by the simplified vertex that their place on the original was collapsed to.
-class SampleDrawer
-{
-    static constexpr std::size_t kGrain = 8192;
-    const SurfaceArrays& original_;
-    const SurfaceArrays& simplified_;
-    const Buffer<std::uint32_t>& root_;
-    SamplePlan plan_;
-    std::size_t groups_;
-    int threads_;
-    Buffer<float> area_;               // of the original's faces
-    Buffer<std::uint32_t> items_;      // by group, ascending in each
-    std::vector<std::uint32_t> begin_; // of the groups in items_; the last one holds what has no group
-
-  public:
-    /// \param root a vertex of \p simplified for every vertex of \p original, kNone where there is none
-    SampleDrawer(const SurfaceArrays& original, const SurfaceArrays& simplified,
-                 const Buffer<std::uint32_t>& root, int threads)
-        : original_(original), simplified_(simplified), root_(root), plan_(PlanSamples(original, simplified)),
-          groups_(simplified.VertexCount()), threads_(threads)
-    {
-        MeasureAreas();
-        GroupItems();
-    }
-
-    std::size_t Count() const { return begin_[groups_]; }
-    std::size_t GroupBegin(std::size_t group) const { return begin_[group]; }
-    std::size_t GroupEnd(std::size_t group) const { return begin_[group + 1]; }
-
-    /// The sample of one place in the groups, not yet attached to a face.
-    Sample Draw(std::size_t slot) const
-    {
-        const std::uint32_t item = items_[slot];
-        return plan_.IsVertex(item) ? VertexSample(item) : CentroidSample(plan_.FaceOfItem(item));
-    }
-
-  private:
-    void MeasureAreas()
-    {
-        area_.Allocate(original_.FaceCount());
-        ParallelRanges(threads_, area_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t f = begin; f < end; ++f)
-                area_[f] = 0.5F * Norm(AreaVector(original_, static_cast<std::uint32_t>(f)));
-        });
-    }
-    /// The simplified vertex whose star is searched first; kNone where nothing is left.
-    std::uint32_t GroupOf(std::size_t item) const
-    {
-        if (plan_.IsVertex(item)) return original_.cornerCount[item] == 0 ? kNone : LiveRoot(item);
-        std::uint32_t group = kNone;
-        for (const std::uint32_t v : original_.triangles[plan_.FaceOfItem(item)].v) {
-            const std::uint32_t candidate = LiveRoot(v);
-            if (candidate == kNone) continue;
-            if (simplified_.cornerCount[candidate] <= kMaxSearchedStar) return candidate;
-            group = candidate;
-        }
-        return group;
-    }
-    std::uint32_t LiveRoot(std::size_t v) const
-    {
-        const std::uint32_t root = root_[v];
-        return root != kNone && simplified_.cornerCount[root] > 0 ? root : kNone;
-    }
-    void GroupItems()
-    {
-        items_.Allocate(plan_.Items());
-        begin_ = StableScatter(
-            threads_, plan_.Items(), groups_ + 1,
-            [&](std::size_t item) { return std::min<std::size_t>(GroupOf(item), groups_); },
-            [&](std::size_t item, std::size_t place) { items_[place] = static_cast<std::uint32_t>(item); });
-    }
-    Sample VertexSample(std::uint32_t v) const
-    {
-        float area = 0;
-        for (const Corner* c = BeginCorners(original_, v); c != EndCorners(original_, v); ++c)
-            area += area_[FaceOf(*c)];
-        const SurfacePoint& p = original_.points[v];
-        return {p.x, p.y, p.z, kVertexShare * area / 3 * p.weight, 0, kNone, kNone, v};
-    }
-    Sample CentroidSample(std::uint32_t f) const
-    {
-        const Vector3<float> p = Centroid(original_, f);
-        float weight = 0;
-        for (const std::uint32_t v : original_.triangles[f].v) weight += original_.points[v].weight / 3;
-        const float area = static_cast<float>(plan_.centroidStep) * area_[f];
-        return {p.x, p.y, p.z, (1 - kVertexShare) * area * weight, 0, kNone, kNone, f | kFacePlace};
-    }
-};
 
 /// Attaches samples to the closest face of the surface, as far as a walk finds it: four at once to one of the
 /// star of \p v; those closest to its rim walk on.
@@ -194,19 +79,71 @@ inline Buffer<Sample> LocateSamples(const SurfaceArrays& simplified, const Sampl
     return located;
 }
 
+/// The faces of a surface in a tree, for questions in its own frame.
+inline FaceTree TreeOf(const SurfaceArrays& surface, int threads)
+{
+    MeshView view;
+    view.positions = surface.points.data();
+    view.positionStride = sizeof(SurfacePoint);
+    view.vertexCount = surface.VertexCount();
+    view.triangles = surface.triangles.data()->v;
+    view.faceCount = surface.FaceCount();
+    std::vector<std::uint32_t> order(surface.FaceCount()); // neighbours in space follow each other already
+    std::iota(order.begin(), order.end(), 0U);
+    return {view, Frame{}, threads, order};
+}
+
+/// Attaches those of \p samples that are far from the face that a walk found to the closest of all faces.
+inline void SearchFarSamples(const SurfaceArrays& simplified, Buffer<Sample>& samples, int threads)
+{
+    constexpr std::size_t kGrain = 4096;
+    const auto far2 = static_cast<float>(double{kFarSample * kFarSample} * MeanSquare(samples));
+    const auto isFar = [&](const Sample& sample) { return sample.distance2 > far2; };
+    if (std::none_of(samples.begin(), samples.end(), isFar)) return;
+    const FaceTree tree = TreeOf(simplified, threads);
+    ParallelRanges(threads, samples.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+        std::vector<FaceTree::Candidate> found;
+        for (std::size_t i = begin; i < end; ++i) {
+            Sample& sample = samples[i];
+            if (!isFar(sample)) continue;
+            tree.FindClosest(PositionOf(sample), 0, sample.distance2, found);
+            for (const FaceTree::Candidate& face : found) {
+                if (!(face.distance2 < sample.distance2 * kMinProgress)) continue;
+                sample.distance2 = face.distance2;
+                sample.face = face.face;
+            }
+        }
+    });
+}
+
+/// Puts each sample at its place, without a second copy of all: together they set the peak of memory where
+/// little is removed. \p place is a permutation, and used up.
+inline void PutInPlace(Buffer<Sample>& samples, Buffer<std::uint32_t>& place)
+{
+    for (std::uint32_t i = 0; i < place.size(); ++i)
+        while (place[i] != i) {
+            const std::uint32_t to = place[i];
+            std::swap(samples[i], samples[to]);
+            std::swap(place[i], place[to]);
+        }
+}
+
 /// Samples of \p original attached to the faces of \p simplified. Lists hop through memory, so the samples of
 /// a face are put side by side: that halves the time of every later pass.
 inline SampleLists AttachSamples(const SurfaceArrays& original, const SurfaceArrays& simplified,
                                  const Buffer<std::uint32_t>& root, int threads)
 {
-    const Buffer<Sample> located =
+    Buffer<Sample> located =
         LocateSamples(simplified, SampleDrawer(original, simplified, root, threads), threads);
+    SearchFarSamples(simplified, located, threads);
     SampleLists lists;
-    lists.samples.Allocate(located.size());
     lists.faces.Allocate(simplified.FaceCount());
+    Buffer<std::uint32_t> place(located.size());
     const std::vector<std::uint32_t> begin = StableScatter(
         threads, located.size(), simplified.FaceCount(), [&](std::size_t i) { return located[i].face; },
-        [&](std::size_t i, std::uint32_t place) { lists.samples[place] = located[i]; });
+        [&](std::size_t i, std::uint32_t to) { place[i] = to; });
+    PutInPlace(located, place);
+    lists.samples = std::move(located);
     ParallelRanges(threads, simplified.FaceCount(), 4096, [&](std::size_t from, std::size_t to, int) {
         for (std::size_t f = from; f < to; ++f) {
             const auto face = static_cast<std::uint32_t>(f);

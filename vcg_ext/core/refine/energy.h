@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "vcg_ext/core/base/buffer.h"
@@ -27,9 +28,17 @@ struct RefinementState {
     SurfaceArrays& simplified;
     SampleLists samples;
     Buffer<SurfacePlace> vertexHints, centroidHints;
-    Buffer<SurfacePlace> edgeHints; ///< 3 face + index, from vertex index to the next
-    float meanSquare = 0;           ///< rms^2 before the first change
+    Buffer<SurfacePlace> edgeHints;                      ///< 3 face + index, from vertex index to the next
+    float meanSquare = 0;                                ///< rms^2 before the first change
+    float farthest2 = std::numeric_limits<float>::max(); ///< of the samples, before the first change
     std::uint32_t blockVertices = kBlockVertices;
+
+    /// No change may bring a point farther than this, squared, unless it was before.
+    float Tolerable2() const
+    {
+        return std::min(kTolerableDistance * kTolerableDistance * meanSquare,
+                        kTolerableOfFarthest * kTolerableOfFarthest * farthest2);
+    }
 };
 
 inline std::uint32_t EdgeHint(Corner corner)
@@ -64,13 +73,14 @@ class EquationSums
     NormalEquations Total() const { return {SumLanes(matrix_), SumLanes(right_)}; }
 };
 
-/// The step that solves \p e with kStepRegularization x the mean diagonal entry added, by a decomposition
-/// LDL^T whose pivots stay positive; nothing where the equations are empty or have no solution.
-inline std::optional<Vector3<float>> SolveStep(const NormalEquations& e)
+/// The step that solves \p e with \p regularization added to the diagonal, within its limits, by a
+/// decomposition LDL^T whose pivots stay positive; nothing where the equations are empty or have no solution.
+inline std::optional<Vector3<float>> SolveStep(const NormalEquations& e, float regularization)
 {
     constexpr float kNoStep2 = 1e30F; // a squared step from here on comes from equations without a solution
     const SymmetricMatrix3<float>& m = e.matrix;
-    const float added = m.Trace() * (kStepRegularization / 3);
+    const float added =
+        std::min(m.Trace() * (kMaxRegularization / 3), regularization + m.Trace() * kMinRegularization);
     if (!(added > 0)) return std::nullopt;
     const float inverse0 = 1 / (m.xx + added);
     const float l1 = m.xy * inverse0, l2 = m.xz * inverse0;

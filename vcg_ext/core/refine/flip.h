@@ -97,7 +97,7 @@ class EdgeFlipper
     /// Leaves the samples' new distances and owners.
     bool SavesEnergy(double needed)
     {
-        const float tolerable2 = kTolerableDistance * kTolerableDistance * state_.meanSquare;
+        const float tolerable2 = state_.Tolerable2();
         groups_.Clear();
         CollectSamples(state_.samples, edge_.First(), 0, shape_.a, groups_);
         CollectSamples(state_.samples, edge_.Second(), 1, shape_.a, groups_);

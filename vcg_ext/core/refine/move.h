@@ -58,7 +58,7 @@ class VertexMover
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
         const NormalEquations equations = sums.Total();
-        const std::optional<Vector3<float>> best = SolveStep(equations);
+        const std::optional<Vector3<float>> best = SolveStep(equations, Regularization(before.sum));
         if (!best) return false;
         Vector3<float> step = Clipped(*best);
         const double gain =
@@ -152,6 +152,13 @@ class VertexMover
         return state_.edgeHints[hint];
     }
 
+    float Regularization(double energy) const
+    {
+        float spokes2 = 0;
+        for (std::size_t i = 0; i < star_.size(); ++i) spokes2 += star_[i].triangle.bb;
+        const float mean2 = std::max(spokes2 / static_cast<float>(star_.size()), kSmallestSquare);
+        return kStepRegularization * static_cast<float>(energy) / mean2;
+    }
     Vector3<float> Clipped(const Vector3<float>& step) const
     {
         float shortest2 = std::numeric_limits<float>::max();
@@ -164,7 +171,7 @@ class VertexMover
     bool Try(const Vector3<float>& step, const Energy& before, double allowed)
     {
         if (!KeepsFaces(step)) return false;
-        const float tolerable2 = kTolerableDistance * kTolerableDistance * state_.meanSquare;
+        const float tolerable2 = state_.Tolerable2();
         const BackwardEnergy backward =
             MeasureBackward(search_, points_, step, std::numeric_limits<float>::max(), allowed, nullptr);
         if (backward.energy >= allowed || backward.largest2 > std::max(before.backward2, tolerable2))

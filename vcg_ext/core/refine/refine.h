@@ -26,6 +26,8 @@ namespace vcg_ext
 /// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
 /// moves would gain nothing and make flat parts uneven.
 constexpr double kFlatTilt = 5e-4;
+/// Unless some sample is farther than this part of a face's size.
+constexpr double kFlatDistance = 1e-2;
 
 /// Square root of the mean area of a face.
 inline double FaceSize(const SurfaceArrays& surface)
@@ -43,16 +45,21 @@ inline Buffer<SurfacePlace> NoHints(std::size_t size)
     return hints;
 }
 
-/// The samples attached to the faces, and no hints; the mean square is still to be set.
+/// The samples attached to the faces and how far they are, and no hints.
 inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArrays& simplified,
                                        const Buffer<std::uint32_t>& root, int threads)
 {
-    return {original,
-            simplified,
-            AttachSamples(original, simplified, root, threads),
-            NoHints(simplified.VertexCount()),
-            NoHints(simplified.FaceCount()),
-            NoHints(3 * simplified.FaceCount())};
+    RefinementState state{original,
+                          simplified,
+                          AttachSamples(original, simplified, root, threads),
+                          NoHints(simplified.VertexCount()),
+                          NoHints(simplified.FaceCount()),
+                          NoHints(3 * simplified.FaceCount())};
+    state.meanSquare = static_cast<float>(MeanSquare(state.samples));
+    state.farthest2 = 0;
+    for (const Sample& sample : state.samples.samples)
+        state.farthest2 = std::max(state.farthest2, sample.distance2);
+    return state;
 }
 
 /// One object of scratch per thread, and what each of them counted.
@@ -135,10 +142,11 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
     RefinementState state = BeginRefinement(original, simplified, root, threads);
     report.samples = state.samples.samples.size();
-    const double meanSquare = MeanSquare(state.samples);
-    report.rmsBefore = report.rmsAfter = std::sqrt(meanSquare);
-    if (!(report.rmsBefore > kFlatTilt * FaceSize(simplified))) return report;
-    state.meanSquare = static_cast<float>(meanSquare);
+    report.rmsBefore = report.rmsAfter = std::sqrt(MeanSquare(state.samples));
+    const double faceSize = FaceSize(simplified);
+    if (!(report.rmsBefore > kFlatTilt * faceSize) &&
+        !(std::sqrt(static_cast<double>(state.farthest2)) > kFlatDistance * faceSize))
+        return report;
 
     reached(20);
     if (parameters.flip) report.flips = FlipEdges(state, threads);

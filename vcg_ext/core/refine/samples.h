@@ -70,14 +70,18 @@ struct SampleLists {
 };
 
 /// Weighted mean of the squared distances, 0 without samples.
-inline double MeanSquare(const SampleLists& lists)
+inline double MeanSquare(const Buffer<Sample>& samples)
 {
     double energy = 0, weight = 0;
-    for (const Sample& sample : lists.samples) {
+    for (const Sample& sample : samples) {
         energy += static_cast<double>(sample.weight) * static_cast<double>(sample.distance2);
         weight += static_cast<double>(sample.weight);
     }
     return weight > 0 ? energy / weight : 0;
+}
+inline double MeanSquare(const SampleLists& lists)
+{
+    return MeanSquare(lists.samples);
 }
 
 /// Four samples of one face, seen from a common origin. Lanes behind the last sample have weight 0.
