@@ -120,6 +120,12 @@ class Engine
         SweepLoader(view, state_, 1).Load();
         SweepStarter(view, state_, 1, setting.boundary).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
+        double doubleArea = 0;
+        for (const FaceRecord& face : state_.faces) {
+            const Vector3<float> m = face.Normal();
+            doubleArea += static_cast<double>(Dot(m, m));
+        }
+        state_.distanceArea = static_cast<float>(DistanceArea(doubleArea, state_.aliveFaces));
     }
 
     /// The input as the engine has it: rounded to single precision in its frame, in its own order. Both sides
@@ -181,6 +187,7 @@ class Ordered : public GuidedCollapse<OrderedMesh>
     {
     }
 
+    double DistanceArea() const { return DistanceAreaNow(); }
     const EdgeEnd<double>& EndAt(std::uint32_t v) { return EndOf(Vertex(v)); }
     bool IsFixedAt(std::uint32_t v) { return IsFixed(Vertex(v)); }
     /// From the engine's frame, which is the rounded mesh's own but for its last digits.
@@ -230,8 +237,15 @@ class Comparison
     StarAreas<double> areas_;
 
     Vector3<double> Middle() const { return a_.position + half_; }
-    double CostAt(const Vector3<double>& x) const { return EdgeCost(a_, b_, half_, x - Middle()); }
-    double Trace() const { return a_.history.matrix.Trace() + b_.history.matrix.Trace(); }
+    double CostAt(const Vector3<double>& x) const
+    {
+        return EdgeCost(a_, b_, half_, x - Middle(), ordered_.DistanceArea());
+    }
+    double Trace() const
+    {
+        return a_.history.matrix.Trace() + b_.history.matrix.Trace() +
+               WeightedArea(a_, b_, ordered_.DistanceArea());
+    }
     double Tolerance(double value, const Vector3<double>& x) const
     {
         return kRelative * value +
@@ -259,11 +273,12 @@ class Comparison
     /// Below that one place is as good as another, and an end is preferred.
     bool IsBelowRounding(const PlacedEdge<double>& placed) const
     {
-        return placed.cost <= RoundingCost(a_, b_);
+        return placed.cost <= RoundingCost(a_, b_, ordered_.DistanceArea());
     }
     bool MayBeAboveRounding(const PlacedEdge<double>& placed) const
     {
-        return placed.cost + Tolerance(placed.cost, placed.position) >= RoundingCost(a_, b_);
+        return placed.cost + Tolerance(placed.cost, placed.position) >=
+               RoundingCost(a_, b_, ordered_.DistanceArea());
     }
 
     bool PlacesAgree(const Vector3<double>& engine, const Vector3<double>& ordered, bool withVolume) const
@@ -400,7 +415,8 @@ class TestGuided : public QObject
             double cheapest = std::numeric_limits<double>::infinity();
             for (const Vector3<double>& offset : {Vector3<double>{}, half, -1.0 * half})
                 if (const auto penalty = ordered.Penalty(a.position + half + offset))
-                    cheapest = std::min(cheapest, *penalty * EdgeCost(a, b, half, offset));
+                    cheapest =
+                        std::min(cheapest, *penalty * EdgeCost(a, b, half, offset, ordered.DistanceArea()));
             ++(assessed ? others : none);
             QCOMPARE(assessed ? assessed->cost : std::numeric_limits<double>::infinity(), cheapest);
         });
