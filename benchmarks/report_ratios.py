@@ -62,7 +62,8 @@ def print_worse_than_fast(rows: list[dict]) -> None:
         base = fast[key(row)[:2]]
         for metric in METRICS:
             if row[metric] > max(1.01 * base[metric], base[metric] + SMALLEST):
-                print(f"worse than fast: {row['mesh']} {row['percent']} % {metric} {row[metric]:.5f} > {base[metric]:.5f}")
+                name = f"{row['mesh']} {row['percent']} % {metric}"
+                print(f"worse than fast: {name} {row[metric]:.5f} > {base[metric]:.5f}")
 
 
 def main() -> int:

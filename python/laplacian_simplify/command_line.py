@@ -63,7 +63,7 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     """The parameters that were given, all of them in their range."""
     names = [row.id for row in command.filter.parameters if row.id not in WITHOUT_OPTION]
     values = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
-    bound = values.pop("max_error", {})  # a length is checked once the mesh is known
+    bound: dict[str, Any] = values.pop("max_error", {})  # a length is checked once the mesh is known
     if command.filter.has("max_error") and not bound and not SHORT_NAMES.keys() & values.keys():
         raise ValueError("one of the arguments --faces --percent --max-error is required")
     if bound.get("max_error") == 0:

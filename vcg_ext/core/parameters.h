@@ -34,8 +34,8 @@ enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancell
 /// What a decimation does. The defaults are those of the filter.
 struct DecimationParameters {
     std::size_t targetFaces = 0; ///< at least 1; at most so many faces remain, if that can be reached
-    double maxError = 0; ///< percent of the diagonal of the bounding box; no point of either surface is
-                         ///< farther from the other; the target is then the lower end. 0: no bound
+    double maxError = 0;      ///< percent of the diagonal of the bounding box; no point of either surface is
+                              ///< farther from the other; the target is then the lower end. 0: no bound
     double featureWeight = 2; ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
     Effort effort = Effort::Balanced;
     Boundary boundary = Boundary::Preserve;
