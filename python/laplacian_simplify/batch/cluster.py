@@ -17,7 +17,7 @@ from distributed.system import MEMORY_LIMIT
 from ..files.errors import MeshFileError, printable
 
 _SHARE_OF_MEMORY = 0.75
-_SECONDS_TO_CONNECT = 30
+_SECONDS_TO_CONNECT = 10
 _COMPARED = ("python", "distributed", "laplacian_simplify")
 
 

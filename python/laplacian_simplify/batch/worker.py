@@ -111,7 +111,8 @@ def _tried(task: MeshTask, processes: MeshProcesses) -> dict[str, Any]:
                 raise _NotDoneError(answer)
         return state | answer | {"output": task.target, "output_size": os.stat(task.target).st_size}
     except _NotDoneError as failed:
-        return state | failed.answer
+        reason = str(failed.answer["reason"]).replace(task.source, task.name)
+        return state | failed.answer | {"reason": reason}
     except Exception as error:  # the result could not be put into its place
         return state | {"status": "refused", "reason": str(error) or type(error).__name__, "again": True}
 
