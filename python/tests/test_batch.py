@@ -118,14 +118,14 @@ def _fake_moved(results: Path, before: Path) -> None:
 
 
 def test_broken_meshes_cost_only_themselves(first: Any) -> None:
-    meshes, results, done = first
+    _, results, done = first
     assert done.returncode == 3, done.stderr
     assert done.stderr == ""
     rows = {row["input"]: row for row in _rows(results)}
     assert Counter(row["status"] for row in rows.values()) == {"done": 9, "refused": 3}
     for name, row in rows.items():
         if row["status"] == "done":
-            assert faces_in(results / name) == row["report"]["faces"] <= row["report"]["faces_before"] / 4
+            assert faces_in(results / name) == row["report"]["faces"] < row["report"]["faces_before"] / 4 + 1
     for name, reason in (
         ("garbage.ply", "garbage.ply cannot be read: line 1: 'garbage' instead of 'ply'; this is no PLY file"),
         ("wrong_index.off", "vertex index 7 is outside 0..2"),
@@ -330,7 +330,9 @@ def test_workers_of_a_scheduler(cluster: Any, first: Any, tmp_path: Path) -> Non
     scheduler.kill()
     _, said = process.communicate(timeout=120)
     assert process.returncode == 1
-    assert said == "laplacian-simplify: error: the scheduler is gone; what is done is kept, and the same command goes on\n"
+    assert (
+        said == "laplacian-simplify: error: the scheduler is gone; what is done is kept, and the same command goes on\n"
+    )
 
 
 def _has_workers(address: str) -> bool:
@@ -400,7 +402,7 @@ def test_wrong_keywords(tmp_path: Path) -> None:
         (TypeError, {"target_percent": 10, "new_layer": True}),
         (ValueError, {"target_percent": 10, "workers": 0}),
         (ValueError, {"target_percent": 10, "timeout": float("nan")}),
-        (OSError, {"target_percent": 10, "output_format": "docx"}),
+        (ValueError, {"target_percent": 10, "output_format": "docx"}),
         (TypeError, {"target_percent": 10, "progress": 3}),
     ):
         with pytest.raises(error):
@@ -422,6 +424,10 @@ def test_patterns_keep_the_folders_below_their_fixed_part(tmp_path: Path) -> Non
     assert found("**/*", "out") >= all_of_them
     assert found("a/*.off", "out", "stl") == {("x.off", "x.stl")}
     assert found("a/x.off", "out") == {("x.off", "x.off")}
+    (tmp_path / "a[b]").mkdir()
+    (tmp_path / "a[b]" / "x[1].off").write_text("")
+    assert found("a[b]/x[1].off", "out") == {("x[1].off", "x[1].off")}
+    shutil.rmtree(tmp_path / "a[b]")
     assert found(".", "a/b") == all_of_them - {("a/b/y.stl.gz", "a/b/y.stl")}  # a result is no input
     assert found("a/*.txt", "out") == {("list.txt", "list.ply")}  # whoever names it means it
 

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import Literal, TypedDict, Unpack
 
+from ..files.output_formats import OUTPUT_FORMATS
 from ..filters import Boundary, Effort, Guidance, Order
 from ..running import with_one_target
 from .arguments import bytes_of
@@ -77,11 +78,16 @@ def simplify_many(
         raise ValueError(f"workers = {workers} is not 1 or more")
     if not timeout > 0:
         raise ValueError(f"timeout = {timeout} is not above 0")
+    formats = [row.extension for row in OUTPUT_FORMATS]
+    if output_format is not None and output_format not in formats:
+        raise ValueError(f"output_format = {output_format} is not one of {', '.join(formats)}")
+    if progress is not None and progress is not True and not callable(progress):
+        raise TypeError(f"progress must be a callable or True, not {type(progress).__name__}")
     request = BatchRequest(
         source=os.fspath(source),
         output=Path(output),
         values=values,
-        output_format=_known(output_format),
+        output_format=output_format,
         workers=workers,
         scheduler=scheduler,
         memory=bytes_of(memory) if isinstance(memory, str) else memory,
@@ -92,9 +98,3 @@ def simplify_many(
         with shown_progress() as (began, finished):
             return simplify_folder(request, began, finished)
     return simplify_folder(request, lambda *_: None, progress or (lambda _: None))
-
-
-def _known(output_format: str | None) -> str | None:
-    from ..files.output_formats import output_format as row_of
-
-    return row_of(f"mesh.{output_format}").extension if output_format else None

@@ -43,7 +43,7 @@ def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
     They are threads, as the meshes are done in processes of their own.
     """
     count = count or CPU_COUNT
-    settings = {"distributed.scheduler.worker-saturation": 1.0, "distributed.scheduler.work-stealing": False}
+    settings = {"temporary-directory": scratch, "distributed.scheduler.work-stealing": False}
     with (
         _silence(),
         dask.config.set(settings),
@@ -53,7 +53,6 @@ def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
             processes=False,
             memory_limit=0,  # each process has its own
             dashboard_address="127.0.0.1:0" if find_spec("bokeh") else None,
-            local_directory=scratch,
             silence_logs=logging.CRITICAL,
         ) as cluster,
         Client(cluster, set_as_default=False) as client,

@@ -73,24 +73,26 @@ def _below(folder: Path, output: Path) -> Iterator[Path]:
     """Files of mesh formats in a folder and its folders, but for hidden ones and those of the output."""
     own = os.path.realpath(output)
     for place, folders, files in os.walk(folder):
-        folders[:] = sorted(
-            name for name in folders if name[0] != "." and os.path.realpath(os.path.join(place, name)) != own
-        )
+        folders[:] = sorted(name for name in folders if name[0] != "." and os.path.realpath(Path(place) / name) != own)
         for name in sorted(files):
             if name[0] != "." and _format_of(name) in _READ - _SELDOM_MESHES:
                 yield Path(place) / name
 
 
 def _matching(pattern: str) -> Iterator[Path]:
-    for name in glob.iglob(pattern, recursive=True):
-        path = Path(os.path.abspath(name))
+    if Path(pattern).is_file():  # whatever brackets its name has
+        pattern = glob.escape(pattern)
+    for name in glob.iglob(pattern, recursive=True):  # noqa: PTH207, as that of Path takes no absolute ones
+        path = Path.cwd() / name
         if not path.is_dir() and _format_of(path.name) in _READ:
             yield path
 
 
 def _fixed_part(pattern: str) -> Path:
     """The folder before the first part with a wildcard."""
-    parts = Path(os.path.abspath(pattern)).parts
+    parts = (Path.cwd() / pattern).parts
+    if Path(pattern).is_file():
+        return Path(*parts[:-1])
     fixed = next((k for k, part in enumerate(parts) if glob.has_magic(part)), len(parts) - 1)
     return Path(*parts[: min(fixed, len(parts) - 1)])
 

@@ -99,8 +99,8 @@ class Manifest:
 
 def state_of(path: str | os.PathLike[str]) -> dict[str, Any]:
     """What tells a file from its later versions."""
-    status = os.stat(path)
-    with open(path, "rb") as file:
+    status = Path(path).stat()
+    with Path(path).open("rb") as file:
         digest = hashlib.file_digest(file, "sha256").hexdigest()
     return {"size": status.st_size, "mtime_ns": status.st_mtime_ns, "sha256": digest}
 

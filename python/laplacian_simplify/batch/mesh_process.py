@@ -14,10 +14,12 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeAlias
 
 from ..child import cause_of, die_with
+from ..plugin import load
 
 Job: TypeAlias = dict[str, Any]
 Answer: TypeAlias = dict[str, Any]
@@ -146,6 +148,8 @@ def serve() -> None:
         def say(line: Answer) -> None:
             print(json.dumps(line), file=answers)
 
+        with contextlib.suppress(ImportError):  # a mesh will say it
+            load()  # so that what it takes is not counted as memory of a mesh
         for line in sys.stdin.buffer:
             job = json.loads(line)
             with _memory(job.pop("memory")):
@@ -178,7 +182,7 @@ def _done(job: Job, say: Any) -> Answer:
 @contextlib.contextmanager
 def _memory(more: int) -> Any:
     """Bounds the address space: what is taken now, and this many bytes more."""
-    taken = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()  # noqa: SIM115
+    taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     soft, hard = resource.getrlimit(resource.RLIMIT_AS)
     most = taken + more if hard == resource.RLIM_INFINITY else min(taken + more, hard)
     resource.setrlimit(resource.RLIMIT_AS, (most, hard))

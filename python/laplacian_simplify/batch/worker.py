@@ -7,7 +7,6 @@ log it, and a remote one may not be known here.
 """
 
 import contextlib
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from socket import gethostname
@@ -41,7 +40,7 @@ class MeshTask:
     """Name of the plugin that has the processes."""
 
 
-class MeshProcesses(WorkerPlugin):
+class MeshProcesses(WorkerPlugin):  # type: ignore[misc]
     """The processes of a worker, one for every thread of it."""
 
     def __init__(self, name: str, threads: int) -> None:
@@ -109,7 +108,7 @@ def _tried(task: MeshTask, processes: MeshProcesses) -> dict[str, Any]:
             answer = processes.run(_job(task, staged), task.seconds)
             if answer["status"] != "done":
                 raise _NotDoneError(answer)
-        return state | answer | {"output": task.target, "output_size": os.stat(task.target).st_size}
+        return state | answer | {"output": task.target, "output_size": Path(task.target).stat().st_size}
     except _NotDoneError as failed:
         reason = str(failed.answer["reason"]).replace(task.source, task.name)
         return state | failed.answer | {"reason": reason}

@@ -35,9 +35,7 @@ def staged_output(
     target, shown = Path(os.path.realpath(path)), printable(os.fspath(path))
     check_target(path)
     try:
-        own = TemporaryDirectory(
-            prefix=".laplacian-simplify-", dir=folder or target.parent, ignore_cleanup_errors=True
-        )
+        own = TemporaryDirectory(prefix=".laplacian-simplify-", dir=folder or target.parent, ignore_cleanup_errors=True)
     except (OSError, ValueError) as error:
         raise unwritable(shown, error, target.parent) from None
     with own:
