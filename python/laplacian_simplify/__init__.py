@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laplacian-guided mesh simplification of arrays and of meshes of other libraries, and the plugin's filters as functions
-on pymeshlab's mesh sets or on files.
+"""Laplacian-guided mesh simplification of arrays and of meshes of other libraries, and the plugin's filters as
+functions on pymeshlab's mesh sets or on files.
 
 >>> import laplacian_simplify as ls
 >>> vertices, faces = ls.simplify(vertices, faces, target_percent=10)

@@ -14,6 +14,8 @@ from .running import MeshSource, is_mesh_source, run, with_one_target
 from .tables import filter_named
 
 if TYPE_CHECKING:
+    from os import PathLike
+
     import numpy as np
     from numpy.typing import NDArray
 
@@ -51,8 +53,8 @@ class SimplifyOptions(TypedDict, total=False):
 
 @overload
 def simplify(mesh: "NDArray[Any]", faces: "NDArray[Any]", **options: Unpack[SimplifyOptions]) -> "Simplified": ...
-@overload
-def simplify(mesh: MeshSource, **options: Unpack[SimplifyOptions]) -> DecimationReport: ...
+@overload  # a mesh set has no type that is known to checkers: with it the result has none either
+def simplify(mesh: "str | PathLike[str]", **options: Unpack[SimplifyOptions]) -> DecimationReport: ...
 @overload
 def simplify(
     mesh: M, *, return_result: Literal[True], **options: Unpack[SimplifyOptions]

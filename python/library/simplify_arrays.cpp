@@ -239,7 +239,7 @@ void Report(const vcg_ext::DecimationReport& report, Result& result)
 void HandOver(vcg_ext::Simplification done, Result& result)
 {
     auto storage = std::make_unique<Storage>();
-    for (const auto& step : done.trace.steps) storage->steps.push_back({step.cost, step.faces});
+    for (const auto& step : done.report.trace.steps) storage->steps.push_back({step.cost, step.faces});
     storage->mesh = std::move(done.mesh);
     const vcg_ext::DecimatedMesh& mesh = storage->mesh;
     result.vertex_count = mesh.positions.size();
@@ -250,7 +250,7 @@ void HandOver(vcg_ext::Simplification done, Result& result)
     result.face_origin = mesh.faceOrigin.data();
     result.step_count = storage->steps.size();
     result.steps = storage->steps.data();
-    result.descriptor_scale = done.trace.descriptorScale;
+    result.descriptor_scale = done.report.trace.descriptorScale;
     result.storage = storage.release();
 }
 

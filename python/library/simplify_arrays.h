@@ -20,10 +20,9 @@ struct laplacian_simplify_mesh {
     std::int32_t double_positions; ///< 1: coordinates are double, 0: float
     std::int32_t index_bytes;      ///< of a vertex index: 4 or 8; a negative index is refused as any other
     const std::uint8_t* fixed_vertices; ///< a byte a vertex, not 0: never moves and stays; may be null
-    std::int32_t
-        shared_seams; ///< 1: fixed vertices are those of other meshes, too: no new edge joins two of them
-    const std::uint8_t*
-        selected_faces;           ///< a byte a face, 0: keeps its vertices and stays; null: all are selected
+    std::int32_t shared_seams; ///< 1: those are of other meshes, too, and no new edge joins two of them
+    /// A byte a face, 0: keeps its vertices and stays; null: all are selected.
+    const std::uint8_t* selected_faces;
     const double* stored_quality; ///< a number a vertex for LAPLACIAN_SIMPLIFY_STORED_QUALITY, else null
 };
 
@@ -45,9 +44,8 @@ struct laplacian_simplify_parameters {
     std::int32_t boundary; ///< 0 free, 1 preserve, 2 lock
     std::int32_t preserve_topology;
     std::int32_t measure_error;
-    std::int32_t threads; ///< 0: all; the result does not depend on it
-    double
-        cost_limit; ///< no collapse costs more, in the mesh's unit of length to the fourth power; 0: no limit
+    std::int32_t threads;    ///< 0: all; the result does not depend on it
+    double cost_limit;       ///< no collapse costs more, in the mesh's unit of length^4; 0: no limit
     double descriptor_scale; ///< that of another result, for meshes that are parts of one; 0: the mesh's own
     /// Called on the calling thread with 0..100 and what is being done; 0 stops the run. May be null.
     std::int32_t (*progress)(std::int32_t percent, const char* stage);

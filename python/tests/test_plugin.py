@@ -58,7 +58,13 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_wheel_carries_plugin_tables_and_hints(wheel: Path) -> None:
     names = {Path(name).name for name in zipfile.ZipFile(wheel).namelist()}
-    assert {"libfilter_laplacian_simplify.so", "tables.json", "py.typed", "entry_points.txt"} <= names
+    assert {
+        "libfilter_laplacian_simplify.so",
+        "liblaplacian_simplify.so",
+        "tables.json",
+        "py.typed",
+        "entry_points.txt",
+    } <= names
     assert wheel.name.startswith("laplacian_simplify-")
     assert "py3-none-" in wheel.name
 

@@ -15,7 +15,6 @@
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
-#include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/measure/report.h"
@@ -33,7 +32,6 @@ namespace vcg_ext
 struct Simplification {
     DecimatedMesh mesh;
     DecimationReport report;
-    CollapseTrace trace; ///< of the sweeps
 };
 
 /// Checks what does not depend on the mesh. \throws std::invalid_argument that names parameter, value and
@@ -99,6 +97,7 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
     try {
         std::vector<std::uint32_t> faceOrder;
         std::vector<float> descriptor;
+        CollapseTrace trace;
         {
             const KeptForLater kept{stages.refine, parameters.measureError};
             CollapsedSurface surface = collapse(view, kept, progress.Part(0, stages.collapseEnds));
@@ -109,7 +108,7 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
                 Refine(surface.original, surface.simplified, surface.root, refinement);
             }
             result.mesh = ToMesh(view, surface);
-            result.trace = std::move(surface.trace);
+            trace = std::move(surface.trace);
             faceOrder = std::move(surface.faceOrder);
             descriptor = std::move(surface.descriptor);
         }
@@ -118,6 +117,7 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
             RepairFolds(view, *tree, result.mesh, parameters.boundary, threads,
                         progress.Part(stages.repairBegins, 100));
         result.report = CountsOf(view, result.mesh, parameters.targetFaces);
+        result.report.trace = std::move(trace);
         result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (parameters.measureError && tree) {
             if (descriptor.empty()) {

@@ -110,28 +110,28 @@ class TestSchedule : public QObject
     void theTraceHasEverySweep()
     {
         const Simplification result = Simplify(ViewOf(Relief()), Parameters(300));
-        const auto& steps = result.trace.steps;
+        const auto& steps = result.report.trace.steps;
         QVERIFY(steps.size() > 2);
         QCOMPARE(steps.back().faces, result.report.faces);
         for (std::size_t i = 1; i < steps.size(); ++i) QVERIFY(steps[i].faces <= steps[i - 1].faces);
-        QVERIFY(result.trace.descriptorScale > 0);
+        QVERIFY(result.report.trace.descriptorScale > 0);
     }
 
     void aLimitOfTheCostEndsTheRun()
     {
-        const auto steps = Simplify(ViewOf(Relief()), Parameters(300)).trace.steps;
+        const auto steps = Simplify(ViewOf(Relief()), Parameters(300)).report.trace.steps;
         const double limit = steps[steps.size() / 2].cost;
         const Simplification result = WithLimit(Relief(), limit);
         QCOMPARE(result.report.stopReason, StopReason::ErrorBound);
         QVERIFY(result.report.faces > 300);
         QVERIFY(result.report.faces < Relief().triangles.size());
         // The limit and the costs are rounded to float in the frame, and come back as double.
-        for (const auto& step : result.trace.steps) QVERIFY(step.cost <= limit * (1 + 1e-6));
+        for (const auto& step : result.report.trace.steps) QVERIFY(step.cost <= limit * (1 + 1e-6));
     }
 
     void aHigherLimitLeavesFewerFaces()
     {
-        const auto steps = Simplify(ViewOf(Relief()), Parameters(100)).trace.steps;
+        const auto steps = Simplify(ViewOf(Relief()), Parameters(100)).report.trace.steps;
         const double limit = steps[steps.size() / 2].cost;
         QVERIFY(WithLimit(Relief(), 4 * limit).report.faces < WithLimit(Relief(), limit).report.faces);
     }
@@ -140,7 +140,7 @@ class TestSchedule : public QObject
     {
         const Simplification free = Simplify(ViewOf(Relief()), Parameters(300));
         DecimationParameters parameters = Parameters(300);
-        parameters.costLimit = 1000 * free.trace.steps.back().cost;
+        parameters.costLimit = 1000 * free.report.trace.steps.back().cost;
         const Simplification limited = Simplify(ViewOf(Relief()), parameters);
         QCOMPARE(limited.report.stopReason, StopReason::Target);
         QVERIFY(limited.mesh.positions == free.mesh.positions);
@@ -150,23 +150,23 @@ class TestSchedule : public QObject
     /// A power of two as the factor, so that no rounding differs.
     void theLimitIsALengthToTheFourthPower()
     {
-        const auto steps = Simplify(ViewOf(Relief()), Parameters(300)).trace.steps;
+        const auto steps = Simplify(ViewOf(Relief()), Parameters(300)).report.trace.steps;
         const double limit = steps[steps.size() / 2].cost;
         const Simplification small = WithLimit(Relief(), limit), large = WithLimit(Relief(2), kRatio * limit);
         QVERIFY(small.mesh.triangles == large.mesh.triangles);
-        QCOMPARE(large.trace.steps.back().cost, kRatio * small.trace.steps.back().cost);
+        QCOMPARE(large.report.trace.steps.back().cost, kRatio * small.report.trace.steps.back().cost);
     }
 
     void theDescriptorsScaleCanBeGiven()
     {
         const Simplification own = Simplify(ViewOf(Relief()), Parameters(300));
         DecimationParameters parameters = Parameters(300);
-        parameters.descriptorScale = own.trace.descriptorScale;
+        parameters.descriptorScale = own.report.trace.descriptorScale;
         const Simplification given = Simplify(ViewOf(Relief()), parameters);
         QVERIFY(given.mesh.positions == own.mesh.positions);
-        parameters.descriptorScale = 0.1 * own.trace.descriptorScale;
+        parameters.descriptorScale = 0.1 * own.report.trace.descriptorScale;
         const Simplification other = Simplify(ViewOf(Relief()), parameters);
-        QCOMPARE(other.trace.descriptorScale,
+        QCOMPARE(other.report.trace.descriptorScale,
                  static_cast<double>(static_cast<float>(parameters.descriptorScale)));
         QVERIFY(other.mesh.positions != own.mesh.positions);
     }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
@@ -55,11 +56,12 @@ struct DecimationReport {
     StopReason stopReason = StopReason::Target;
     std::optional<DistanceReport> distances;
     EdgeCounts edges;
-    double seconds = 0; ///< wall time of collapse, refinement and fold repair, without the measurement
+    CollapseTrace trace; ///< of the sweeps
+    double seconds = 0;  ///< wall time of collapse, refinement and fold repair, without the measurement
 };
 
-/// The counts of a result; distances and seconds are left open. \p result has as many faces as \p original
-/// where the run was cancelled
+/// The counts of a result; distances, trace and seconds are left open. \p result has as many faces as \p
+/// original where the run was cancelled
 inline DecimationReport CountsOf(const MeshView& original, const DecimatedMesh& result,
                                  std::size_t targetFaces)
 {
