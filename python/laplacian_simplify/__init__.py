@@ -18,6 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .arrays import Simplified
+    from .batch.api import simplify_many
+    from .batch.runs import BatchReport
     from .files.errors import MeshFileError
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
@@ -37,6 +39,8 @@ if TYPE_CHECKING:
 
 _MODULES = {
     "arrays": ("Simplified",),
+    "batch.api": ("simplify_many",),
+    "batch.runs": ("BatchReport",),
     "files.errors": ("MeshFileError",),
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
@@ -56,6 +60,7 @@ _MODULES = {
 __all__ = [
     "PYMESHLAB_VERSION",
     "STOP_REASONS",
+    "BatchReport",
     "ClassificationReport",
     "DecimationReport",
     "DescriptorReport",
@@ -72,6 +77,7 @@ __all__ = [
     "plugin_path",
     "read_mesh",
     "simplify",
+    "simplify_many",
     "smooth",
     "weighted",
     "write_mesh",

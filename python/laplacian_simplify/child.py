@@ -92,7 +92,7 @@ class Child:
             self.end()
         stage = next((line["stage"] for line in reversed(lines) if "stage" in line), "")
         if not lines or "stage" in lines[-1]:
-            raise ChildCrashError(_cause(self._process.returncode), stage)
+            raise ChildCrashError(cause_of(self._process.returncode), stage)
         if "error" in lines[-1]:
             raise _ERRORS.get(lines[-1]["type"], RuntimeError)(lines[-1]["error"])
         return lines[-1]["result"]
@@ -108,7 +108,7 @@ class Child:
 def serve() -> None:
     """What the process does: runs the function and answers."""
     job: Job = json.loads(sys.argv[1])
-    _die_with(job["parent"])
+    die_with(job["parent"])
     with os.fdopen(job["answers"], "w", encoding="utf-8", buffering=1) as answers:
 
         def answer(**line: Any) -> None:
@@ -128,7 +128,7 @@ def serve() -> None:
     os._exit(0)  # what pymeshlab does at its end is of no use any more
 
 
-def _die_with(parent: int) -> None:
+def die_with(parent: int) -> None:
     """Ends this process when the one that started it ends, however that happens."""
     with contextlib.suppress(OSError, AttributeError, TypeError):
         ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)
@@ -136,7 +136,7 @@ def _die_with(parent: int) -> None:
         os._exit(1)
 
 
-def _cause(exit_code: int) -> str:
+def cause_of(exit_code: int) -> str:
     if exit_code < 0:
         with contextlib.suppress(ValueError):
             return signal.Signals(-exit_code).name

@@ -3,7 +3,7 @@
 """The command laplacian-simplify: a mesh file in, a mesh file out, a report.
 
 Exit codes: 0 done, also when a target could not be reached; 1 the input or the output could not be read or
-written; 2 wrong arguments.
+written; 2 wrong arguments. Those of batch are in its own module.
 """
 
 import argparse
@@ -28,6 +28,7 @@ from .summary import summary
 
 STOPPED = 130
 """Exit code of a run that a signal ended, as shells have it."""
+_KEPT = "what is done is kept, and the same command goes on"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -45,13 +46,17 @@ def _main(options: argparse.Namespace) -> int:
     command: Command = options.command
     try:
         values = _values(command, options)
+        if options.batch:
+            from .batch.command import run_batch
+
+            return run_batch(options, values)
         files = files_of(options)
         answer = _run(command, files, values)
         _show(command, files, answer)
     except ValueError as error:
         return _fail(2, _with_option_name(str(error)))
     except KeyboardInterrupt:
-        return _fail(STOPPED, "stopped; nothing was written")
+        return _fail(STOPPED, "stopped; " + (_KEPT if options.batch else "nothing was written"))
     except (OSError, RuntimeError, ImportError) as error:
         return _fail(1, str(error))
     except MemoryError:

@@ -130,8 +130,6 @@ def simplify(
         RuntimeError: the mesh of a set or a file is unusable; it is unchanged.
     """
     name = "meshing_decimation_laplacian_quadric_edge_collapse"
-    if max_error and target_faces is None and target_percent is None:
-        target_faces = 1  # the bound alone ends it
     values = {
         "target_faces": target_faces,
         "target_percent": target_percent,
@@ -156,7 +154,7 @@ def simplify(
     for keyword, value in {"faces": faces, **of_arrays, "return_result": return_result or None}.items():
         if value is not None:
             raise TypeError(f"{keyword} is for arrays and meshes of other libraries, not for a mesh set or a file")
-    return run(name, DecimationReport, mesh, **values)
+    return run(name, DecimationReport, mesh, **numbers)
 
 
 def weighted(

@@ -47,10 +47,15 @@ def _follow(child: Child, progress: Progress) -> None:
             progress(int(found[2]), found[1].decode(errors="replace"))
 
 
+def on_a_terminal() -> bool:
+    """Whether somebody may look at standard error."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
 @contextmanager
 def _bar() -> Iterator[Progress]:
     """Shows progress where standard error is a terminal."""
-    if sys.stderr is None or not sys.stderr.isatty():
+    if not on_a_terminal():
         yield lambda *_: None
         return
     from tqdm import tqdm

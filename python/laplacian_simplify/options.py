@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, NoReturn
 
 from . import filters as functions
+from .batch.arguments import add_batch_parser
 from .error_bound import MAX_ERROR_HELP, error_bound
 from .report import Report
 from .streams import show
@@ -83,7 +84,11 @@ def make_parser() -> argparse.ArgumentParser:
         row = command.filter
         subparser = subparsers.add_parser(command.name, help=row.summary, description=row.summary, allow_abbrev=False)
         _add_options(subparser, command, row)
-        subparser.set_defaults(command=command)
+        subparser.set_defaults(command=command, batch=False)
+        if command.name == "simplify":
+            batch = add_batch_parser(subparsers)
+            add_parameters(batch, command, row)
+            batch.set_defaults(command=command)
     return parser
 
 
@@ -95,6 +100,11 @@ def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter)
         "--output-format", choices=("ply", "stl"), help="format of a mesh on standard output. Default: ply."
     )
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
+    add_parameters(parser, command, row)
+
+
+def add_parameters(parser: argparse.ArgumentParser, command: Command, row: Filter) -> None:
+    """The options that are parameters of the filter."""
     targets: argparse._ActionsContainer = parser
     if row.has("target_faces"):
         targets = parser.add_mutually_exclusive_group(required=not row.has("max_error"))

@@ -64,6 +64,8 @@ def with_one_target(filter_name: str, values: Mapping[str, Any]) -> dict[str, An
     """
     numbers = checked(filter_named(filter_name), values)
     faces, percent = numbers.get("target_faces"), numbers.get("target_percent")
+    if faces is None and percent is None and numbers.get("max_error"):
+        return numbers | {"target_faces": 1}  # the bound alone ends it
     if faces is None and percent is None:
         raise ValueError(
             "there is no target: give target_faces=5000, target_percent=10 (percent of the faces) or, in percent of "

@@ -4,10 +4,12 @@
 
 # The project's Python: a virtual environment in the cache folder with the pinned packages of others, and the
 # project's own package in build/python of this checkout, so that two checkouts do not get into each other's way.
-# What checks the project (pytest, mypy and so on) is put into the environment only where it is asked for.
+# What checks the project (pytest, mypy and so on), and Dask for the command batch, are put into the environment only
+# where they are asked for.
 
 python_environment=$cache/python
 python_requirements=$top/scripts/requirements.txt
+batch_requirements=$top/scripts/requirements-batch.txt
 development_requirements=$top/scripts/requirements-development.txt
 project_package=$top/build/python
 
@@ -23,14 +25,23 @@ ensure_python() {
     printf '%s\n' "$recipe" >"$python_environment/complete"
 }
 
+# ensure_batch: and those of the command batch.
+ensure_batch() { ensure_more batch "Python packages of the command batch" "$batch_requirements"; }
+
 # ensure_development: and those that check the project.
 ensure_development() {
-    local stamp=$python_environment/development recipe
+    ensure_batch
+    ensure_more development "Python packages that check the project" "$development_requirements"
+}
+
+# ensure_more NAME TITLE REQUIREMENTS: a further list of packages in the environment.
+ensure_more() {
+    local stamp=$python_environment/$1 recipe
     ensure_python
-    recipe=$(sha256sum <"$development_requirements")
+    recipe=$(sha256sum <"$3")
     [[ -f $stamp && $(<"$stamp") == "$recipe" ]] && return 0
-    announce_packages "$development_requirements"
-    step python-development "Python packages that check the project" install_pinned "$development_requirements"
+    announce_packages "$3"
+    step "python-$1" "$2" install_pinned "$3"
     printf '%s\n' "$recipe" >"$stamp"
 }
 

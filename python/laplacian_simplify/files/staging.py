@@ -18,8 +18,12 @@ _HEAD = 1 << 16  # bytes at the start of a file, among which names of other file
 
 
 @contextmanager
-def staged_output(path: str | os.PathLike[str], *, source: str | os.PathLike[str] | None = None) -> Iterator[Path]:
+def staged_output(
+    path: str | os.PathLike[str], *, source: str | os.PathLike[str] | None = None, folder: Path | None = None
+) -> Iterator[Path]:
     """A path to write to, in a folder beside the output; on success what was written replaces the output.
+
+    The folder may also be made within another one, which is on the same disk as the output.
 
     Its name is plain whatever that of the output is. Textures and material files that are written beside it go with
     it and get their own names. Where the source, the file that the mesh came from, lies in the same folder, textures
@@ -31,11 +35,11 @@ def staged_output(path: str | os.PathLike[str], *, source: str | os.PathLike[str
     target, shown = Path(os.path.realpath(path)), printable(os.fspath(path))
     check_target(path)
     try:
-        folder = TemporaryDirectory(prefix=".laplacian-simplify-", dir=target.parent, ignore_cleanup_errors=True)
+        own = TemporaryDirectory(prefix=".laplacian-simplify-", dir=folder or target.parent, ignore_cleanup_errors=True)
     except (OSError, ValueError) as error:
         raise unwritable(shown, error, target.parent) from None
-    with folder:
-        staged = Path(folder.name) / ("mesh" + "".join(c for c in target.suffix if c.isascii() and c.isprintable()))
+    with own:
+        staged = Path(own.name) / ("mesh" + "".join(c for c in target.suffix if c.isascii() and c.isprintable()))
         yield staged
         try:
             _publish(staged, target, keep=source is not None and _folder(source) == target.parent)

@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many meshes: found, handed to Dask workers within a memory budget, and written down in a manifest.
+
+``inputs`` finds the meshes, ``manifest`` knows which of them are done, ``cluster`` gives the workers, ``scheduling``
+keeps them busy, ``worker`` is what runs there, and ``mesh_process`` the process of a worker that does the meshes.
+"""

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many meshes from Python."""
+
+import os
+from pathlib import Path
+from typing import Literal, TypedDict, Unpack
+
+from ..files.output_formats import OUTPUT_FORMATS
+from ..filters import Boundary, Effort, Guidance, Order
+from ..running import with_one_target
+from .arguments import bytes_of
+from .command import progress as shown_progress
+from .runs import BatchReport, BatchRequest, Finished, simplify_folder
+
+
+class FileOptions(TypedDict, total=False):
+    """The keywords of simplify for files."""
+
+    target_faces: int | None
+    target_percent: float | None
+    max_error: float | None
+    feature_weight: float | None
+    effort: Effort | int | None
+    descriptor: Guidance | int | None
+    boundary: Boundary | int | None
+    preserve_topology: bool | None
+    measure_error: bool | None
+    order: Order | int | None
+    threads: int | None
+
+
+def simplify_many(
+    source: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    output_format: str | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    memory: int | str | None = None,
+    timeout: float = 600,
+    retry_refused: bool = False,
+    progress: Finished | Literal[True] | None = None,
+    **options: Unpack[FileOptions],
+) -> BatchReport:
+    """Simplifies all meshes of a folder, several at a time; needs ``pip install laplacian-simplify[batch]``.
+
+    >>> report = ls.simplify_many("scans", "small", target_percent=10)
+    >>> print(report)
+    980 done, 20 refused, 0 crashed, 0 skipped
+
+    A mesh that is damaged, crashes or takes too long costs only itself. The same call again skips what is done.
+
+    Args:
+        source: a folder, with those below it, or a pattern such as ``scans/**/*.ply``.
+        output: folder for the results, which lie there as the meshes lie in theirs, and for the manifest
+            ``laplacian-simplify.jsonl``.
+        output_format: such as ``ply``; otherwise that of each input, or PLY where it cannot be written.
+        workers: meshes at a time; otherwise as many as there are processors.
+        scheduler: address of a Dask scheduler whose workers do the meshes.
+        memory: bytes for all meshes at work, or a text such as ``"4GiB"``; 3/4 of all by default.
+        timeout: seconds a mesh.
+        retry_refused: try again what was refused before.
+        progress: called with the line of the manifest of each mesh that has ended; True shows a bar on a terminal.
+        options: keywords of simplify for files; target_percent, target_faces or max_error has to be given.
+
+    Raises:
+        TypeError, ValueError: an argument is wrong, or there are no meshes.
+        OSError: nothing can be written, another run writes there, or the scheduler is missing or gone.
+        ImportError: Dask is not installed.
+    """
+    unknown = sorted(set(options) - set(FileOptions.__annotations__))
+    if unknown:
+        raise TypeError(f"simplify_many has no keyword '{unknown[0]}'")
+    values = with_one_target("meshing_decimation_laplacian_quadric_edge_collapse", options)
+    if scheduler is not None and workers is not None:
+        raise ValueError("workers and scheduler exclude each other: a scheduler has its own workers")
+    if workers is not None and workers < 1:
+        raise ValueError(f"workers = {workers} is not 1 or more")
+    if not timeout > 0:
+        raise ValueError(f"timeout = {timeout} is not above 0")
+    formats = [row.extension for row in OUTPUT_FORMATS]
+    if output_format is not None and output_format not in formats:
+        raise ValueError(f"output_format = {output_format} is not one of {', '.join(formats)}")
+    if progress is not None and progress is not True and not callable(progress):
+        raise TypeError(f"progress must be a callable or True, not {type(progress).__name__}")
+    request = BatchRequest(
+        source=os.fspath(source),
+        output=Path(output),
+        values=values,
+        output_format=output_format,
+        workers=workers,
+        scheduler=scheduler,
+        memory=bytes_of(memory) if isinstance(memory, str) else memory,
+        seconds=timeout,
+        retry_refused=retry_refused,
+    )
+    if progress is True:
+        with shown_progress() as (began, finished):
+            return simplify_folder(request, began, finished)
+    return simplify_folder(request, lambda *_: None, progress or (lambda _: None))

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What was made of which file with which options: a line of JSON for every mesh, in the folder of the results.
+
+Its lines are only ever added; of several about one input the last one counts. While a run goes on it holds a lock on
+the file, so that there is one run in a folder at a time, and it is gone when the run ends, however that happens.
+"""
+
+import fcntl
+import hashlib
+import json
+import os
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from ..files.errors import MeshFileError, printable
+from ..files.staging import unwritable
+from .inputs import MeshToDo
+
+MANIFEST = "laplacian-simplify.jsonl"
+
+# They change nothing in a result.
+_WITHOUT_EFFECT = ("threads",)
+
+
+class Manifest:
+    """The manifest of a folder, locked as long as it is open."""
+
+    def __init__(self, folder: Path, version: str, values: Mapping[str, Any]) -> None:
+        """Opens it.
+
+        Args:
+            version: of this package.
+            values: options of simplify that were given.
+
+        Raises:
+            MeshFileError: another run has it, or it cannot be written.
+        """
+        self.path = folder / MANIFEST
+        asked = {name: value for name, value in values.items() if name not in _WITHOUT_EFFECT}
+        self.options = hashlib.sha256(json.dumps([version, asked], sort_keys=True).encode()).hexdigest()[:16]
+        try:
+            self._file = self.path.open("a+b")
+        except OSError as error:
+            raise unwritable(printable(self.path), error, folder) from None
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            self._file.close()
+            raise MeshFileError(
+                f"{printable(folder)} is in use: another batch writes into it; wait for its end, or write elsewhere"
+            ) from None
+        self.rows: dict[str, dict[str, Any]] = {}
+        self._read()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self._file.close()
+
+    def is_current(self, mesh: MeshToDo, retry_refused: bool) -> bool:
+        """Whether what the manifest says of the mesh would be said again."""
+        row = self.rows.get(mesh.name)
+        if row is None or row.get("options") != self.options:
+            return False
+        if row.get("status") == "refused":
+            return not retry_refused and not row.get("again") and _is_unchanged(mesh.source, row)
+        return row.get("status") == "done" and _has_its_output(mesh.target, row) and _is_unchanged(mesh.source, row)
+
+    def add(self, mesh: MeshToDo, row: Mapping[str, Any]) -> dict[str, Any]:
+        """Writes the line of a mesh and returns what is in it.
+
+        Raises:
+            MeshFileError: it cannot be written.
+        """
+        line = {"input": mesh.name, "options": self.options, **row}
+        try:
+            self._file.write(json.dumps(line).encode() + b"\n")
+            self._file.flush()
+        except OSError as error:
+            raise unwritable(printable(self.path), error, self.path.parent) from None
+        self.rows[mesh.name] = line
+        return line
+
+    def _read(self) -> None:
+        self._file.seek(0)
+        text = self._file.read()
+        for line in text.splitlines():
+            with suppress(ValueError, KeyError, TypeError):  # the line of a run that was killed
+                row = json.loads(line)
+                self.rows[row["input"]] = row
+        if text and not text.endswith(b"\n"):
+            self._file.write(b"\n")
+
+
+def state_of(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """What tells a file from its later versions."""
+    status = Path(path).stat()
+    with Path(path).open("rb") as file:
+        digest = hashlib.file_digest(file, "sha256").hexdigest()
+    return {"size": status.st_size, "mtime_ns": status.st_mtime_ns, "sha256": digest}
+
+
+def _is_unchanged(path: Path, row: Mapping[str, Any]) -> bool:
+    """By size and time, else by its bytes."""
+    try:
+        status = path.stat()
+        if status.st_size != row.get("size"):
+            return False
+        return status.st_mtime_ns == row.get("mtime_ns") or state_of(path)["sha256"] == row.get("sha256")
+    except OSError:
+        return False
+
+
+def _has_its_output(path: Path, row: Mapping[str, Any]) -> bool:
+    try:
+        return row.get("output") == str(path) and path.stat().st_size == row.get("output_size")
+    except OSError:
+        return False
