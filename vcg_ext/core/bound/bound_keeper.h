@@ -161,6 +161,7 @@ class BoundKeeper
         const float slack = RoundingOf(original_, view, Tree().frame());
         const ExactSurface original(original_, Tree(), slack), result(view, resultTree, slack);
         const auto coverOf = [&](std::uint32_t face, std::size_t k) {
+            if (k == 3) return resultFaceOf_[face]; // what has not changed is where it was
             const std::uint32_t origin = coveredBy_[original_.triangles[3 * std::size_t{face} + k]];
             return origin == kNone ? kNone : resultFaceOf_[origin];
         };

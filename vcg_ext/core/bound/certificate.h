@@ -32,7 +32,8 @@ struct OneWayCertificate {
 /// Is every point of the faces of \p from within \p limit of \p to? Proven over whole triangles, in double
 /// precision, up to its rounding.
 /// \param faceCount how many faces are asked about \param faceAt faceAt(i), the i-th of them
-/// \param hintAt hintAt(face, k): a face of \p to that may be close to the k-th corner, or kNone
+/// \param hintAt hintAt(face, k): a face of \p to that may be close to the k-th corner, with k = 3 to
+///        the whole face, or kNone
 template <class FaceAt, class HintAt>
 OneWayCertificate CertifyFaces(const ExactSurface& from, const ExactSurface& to, double limit,
                                std::size_t faceCount, const FaceAt& faceAt, const HintAt& hintAt, int threads)
@@ -46,7 +47,7 @@ OneWayCertificate CertifyFaces(const ExactSurface& from, const ExactSurface& to,
             const std::uint32_t face = faceAt(i);
             const auto result =
                 proof.Prove({from.Corner(face, 0), from.Corner(face, 1), from.Corner(face, 2)},
-                            {hintAt(face, 0), hintAt(face, 1), hintAt(face, 2)});
+                            {hintAt(face, 0), hintAt(face, 1), hintAt(face, 2)}, hintAt(face, 3));
             if (result != PieceProof::Result::Proven)
                 part.counterexamples.push_back({face, proof.Counterexample()});
         }

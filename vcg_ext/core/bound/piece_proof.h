@@ -59,10 +59,13 @@ class PieceProof
     {
     }
 
-    /// \param hints a face of the surface that may be close to each corner, or kNone
+    /// \param hints a face of the surface that may be close to each corner, or kNone \param hint to all of
+    /// them
     Result Prove(const std::array<Vector3<double>, 3>& triangle,
-                 const std::array<std::uint32_t, 3>& hints = {kNone, kNone, kNone})
+                 const std::array<std::uint32_t, 3>& hints = {kNone, kNone, kNone},
+                 std::uint32_t hint = kNone)
     {
+        if (hint != kNone && CoversAll(hint, triangle)) return Result::Proven;
         for (std::size_t k = 0; k < 3; ++k)
             if (hints[k] != kNone && CoversAll(hints[k], triangle)) return Result::Proven;
         Piece piece(3);
