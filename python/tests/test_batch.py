@@ -209,6 +209,7 @@ def test_bytes_are_those_of_one_worker_and_of_simplify(first: Any, tmp_path: Pat
 def test_a_process_that_is_killed_or_hangs_costs_one_mesh(tmp_path: Path) -> None:
     for name, side in (("hangs", 12), ("killed", 11), ("killed_once", 10), ("sheet", 9)):
         _write_sheet(tmp_path / "meshes" / f"{name}.off", side)
+    os.mkfifo(tmp_path / "meshes" / "pipe.ply")
     output = tmp_path / "results"
     words = (tmp_path / "meshes", output, *FAST, "--format", "ply", "--workers", "1", "--timeout", "10")
     done = _run(*words, hooks=True)
@@ -218,9 +219,11 @@ def test_a_process_that_is_killed_or_hangs_costs_one_mesh(tmp_path: Path) -> Non
         ("killed.off", "crashed", 2, "simplifying it crashed (SIGKILL, as happens where memory runs out)"),
         ("killed_once.off", "done", 2, None),
         ("sheet.off", "done", 1, None),
+        ("pipe.ply", "refused", 1, "pipe.ply is not a file but a device or a pipe; use - to read from standard input"),
     ]
     assert sorted(_files(output)) == ["killed_once.ply", "sheet.ply"]
     assert [path for path in output.iterdir() if path.name[0] == "."] == []
+    (tmp_path / "meshes" / "pipe.ply").unlink()
     done = _run(*words)  # what crashed is tried again
     assert done.returncode == 0, done.stderr
     assert "done              2" in done.stdout

@@ -109,11 +109,13 @@ def _result_name(name: str, output_format: str | None) -> str:
 
 
 def _memory_for(path: Path) -> int:
+    if not path.is_file():  # the worker will say it
+        return _BYTES_OF_A_PROCESS
     try:
         size = path.stat().st_size
         with path.open("rb") as file:
             head = file.read(_HEAD)
-    except OSError:  # the worker will say it
+    except OSError:
         return _BYTES_OF_A_PROCESS
     size *= _GROWTH_OF_GZ if path.name.lower().endswith(".gz") else 1
     return _BYTES_OF_A_PROCESS + _BYTES_A_FACE * _faces(_format_of(path.name), head, size) + _COPIES_OF_A_FILE * size

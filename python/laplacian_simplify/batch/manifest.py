@@ -10,6 +10,7 @@ import fcntl
 import hashlib
 import json
 import os
+import stat
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -98,8 +99,14 @@ class Manifest:
 
 
 def state_of(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """What tells a file from its later versions."""
+    """What tells a file from its later versions.
+
+    Raises:
+        OSError: it cannot be read, or is a pipe, which would never end.
+    """
     status = Path(path).stat()
+    if not stat.S_ISREG(status.st_mode):
+        raise OSError(f"{path} is not a file")
     with Path(path).open("rb") as file:
         digest = hashlib.file_digest(file, "sha256").hexdigest()
     return {"size": status.st_size, "mtime_ns": status.st_mtime_ns, "sha256": digest}

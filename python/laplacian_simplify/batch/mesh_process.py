@@ -30,7 +30,14 @@ _BOOT = (
 )
 _MOST_MESHES = 500  # then a new one takes over, whatever this one may have lost of its memory
 # What is said of the machine, not of the mesh: the next run tries again.
-_PASSING = ("not enough memory", "bad_alloc", "no room for a copy", "Permission denied", "does not exist")
+_PASSING = (
+    "not enough memory",
+    "bad_alloc",
+    "can't start new thread",
+    "no room for a copy",
+    "Permission denied",
+    "does not exist",
+)
 
 
 class MeshProcess:
