@@ -33,6 +33,9 @@ inline IndexedMesh SampleMesh(const std::string& name)
     using Ply = vcg::tri::io::ImporterPLY<DoubleMesh>;
     const bool failed = isObj ? Obj::ErrorCritical(Obj::Open(mesh, path.c_str(), loaded))
                               : Ply::ErrorCritical(Ply::Open(mesh, path.c_str()));
+    // Attributes of a mesh do not go with it.
+    vcg::tri::Allocator<DoubleMesh>::DeletePerFaceAttribute(mesh, "materialIndex");
+    vcg::tri::Allocator<DoubleMesh>::DeletePerMeshAttribute(mesh, "materialVector");
     if (failed || mesh.fn == 0) throw std::runtime_error("cannot read " + path);
     IndexedMesh result = Arrays(mesh);
     for (const auto& face : mesh.face)
