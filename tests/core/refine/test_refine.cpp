@@ -19,7 +19,6 @@
 #include "vcg_ext/core/refine/refine.h"
 
 using namespace test_meshes;
-using vcg_ext::Buffer;
 using vcg_ext::RefinementParameters;
 using vcg_ext::RefinementReport;
 using vcg_ext::SurfaceArrays;

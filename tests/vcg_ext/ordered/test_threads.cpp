@@ -74,10 +74,12 @@ class TestThreads : public QObject
             runs.emplace_back([&mesh] { return Weighted(mesh); });
         }
         std::vector<Result> expected;
+        expected.reserve(runs.size());
         for (const auto& run : runs) expected.push_back(run());
         constexpr int kRounds = 10;
         for (int round = 0; round < kRounds; ++round) {
             std::vector<std::future<Result>> running;
+            running.reserve(runs.size());
             for (const auto& run : runs) running.push_back(std::async(std::launch::async, run));
             for (std::size_t i = 0; i < runs.size(); ++i) QVERIFY(running[i].get() == expected[i]);
         }
