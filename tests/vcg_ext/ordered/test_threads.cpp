@@ -76,7 +76,7 @@ class TestThreads : public QObject
         std::vector<Result> expected;
         expected.reserve(runs.size());
         for (const auto& run : runs) expected.push_back(run());
-        constexpr int kRounds = 10;
+        constexpr int kRounds = 4;
         for (int round = 0; round < kRounds; ++round) {
             std::vector<std::future<Result>> running;
             running.reserve(runs.size());
