@@ -380,7 +380,7 @@ def test_simplify_many_in_a_thread(tmp_path: Path) -> None:
     ("arguments", "said"),
     [
         (["no_such_folder", "out", "--percent", "10"], "no_such_folder holds no mesh that can be read"),
-        ([".", "out"], "one of the arguments --faces --percent is required"),
+        ([".", "out"], "one of the arguments --faces --percent --max-error is required"),
         ([".", ".", "--percent", "10"], "is the folder of the inputs"),
         ([".", "out", "--percent", "10", "--workers", "0"], "0 is not 1 or more"),
         ([".", "out", "--percent", "10", "--memory", "much"], "much is not a size such as 500MiB or 4GiB"),
