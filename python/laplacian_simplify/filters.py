@@ -30,8 +30,8 @@ Guidance = Computed | Literal["vertex_quality"]
 WeightedGuidance = Guidance | Literal["curvature_weighted_quadric"]
 
 
-class SimplifyOptions(TypedDict, total=False):
-    """The keywords of simplify but for return_result."""
+class FileOptions(TypedDict, total=False):
+    """The keywords of simplify that files have."""
 
     target_faces: int | None
     target_percent: float | None
@@ -41,11 +41,16 @@ class SimplifyOptions(TypedDict, total=False):
     descriptor: Guidance | int | None
     boundary: Boundary | int | None
     preserve_topology: bool | None
-    selected_only: bool | None
-    new_layer: bool | None
     measure_error: bool | None
     order: Order | int | None
     threads: int | None
+
+
+class SimplifyOptions(FileOptions, total=False):
+    """The keywords of simplify but for return_result."""
+
+    selected_only: bool | None
+    new_layer: bool | None
     selected: "NDArray[np.bool_] | None"
     locked: "NDArray[np.bool_] | None"
     quality: "NDArray[Any] | None"

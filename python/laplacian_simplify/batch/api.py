@@ -4,30 +4,14 @@
 
 import os
 from pathlib import Path
-from typing import Literal, TypedDict, Unpack
+from typing import Literal, Unpack
 
 from ..files.output_formats import OUTPUT_FORMATS
-from ..filters import Boundary, Effort, Guidance, Order
+from ..filters import FileOptions
 from ..running import with_one_target
 from .arguments import bytes_of
 from .command import progress as shown_progress
 from .runs import BatchReport, BatchRequest, Finished, simplify_folder
-
-
-class FileOptions(TypedDict, total=False):
-    """The keywords of simplify for files."""
-
-    target_faces: int | None
-    target_percent: float | None
-    max_error: float | None
-    feature_weight: float | None
-    effort: Effort | int | None
-    descriptor: Guidance | int | None
-    boundary: Boundary | int | None
-    preserve_topology: bool | None
-    measure_error: bool | None
-    order: Order | int | None
-    threads: int | None
 
 
 def simplify_many(
