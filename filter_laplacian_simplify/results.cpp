@@ -63,7 +63,7 @@ const std::vector<Result>& Results()
          "Number of edges of the result with three or more faces; missing after a canceled run.", true},
         {"boundary_edges", {kGuided, kWeighted}, Type::Integer, "edges",
          "Number of edges of the result with one face; missing after a canceled run.", true},
-        {"certified_error", {kGuided, kWeighted}, Type::Real, kPercent,
+        {"certified_error", {kGuided}, Type::Real, kPercent,
          "No point of either surface is farther than this from the other, which is proven; missing without "
          "\"max_error\", or if it could not be proven.", true},
         {"moved", {kSmooth}, Type::Integer, "vertices",
