@@ -26,9 +26,11 @@ target_compile_options(project_options INTERFACE
     -Wall -Wextra -Wshadow -Wconversion $<$<BOOL:${LAPLACIAN_SIMPLIFY_WARNINGS_AS_ERRORS}>:-Werror>)
 if(LAPLACIAN_SIMPLIFY_SANITIZE)
     # Left out of "undefined" is what stops a program anyway or what "address" finds: null, misaligned and foreign
-    # memory. It made compiling two and a half times as long.
+    # memory. It made compiling two and a half times as long. "address" checks by
+    # calls instead of in place: the same errors, and compiling takes a little more than half as long.
     target_compile_options(project_options INTERFACE
         -fsanitize=${LAPLACIAN_SIMPLIFY_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer
-        -fno-sanitize=null,alignment,object-size,pointer-overflow)
+        -fno-sanitize=null,alignment,object-size,pointer-overflow
+        $<$<CXX_COMPILER_ID:GNU>:SHELL:--param asan-instrumentation-with-call-threshold=0>)
     target_link_options(project_options INTERFACE -fsanitize=${LAPLACIAN_SIMPLIFY_SANITIZE})
 endif()

@@ -2,9 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Target "tidy": clang-tidy over the sources that were named with analyse_sources(), each again only after it or a
-# header of the project has changed. Its version is fixed, because others find other things.
-find_program(CLANG_TIDY_PROGRAM clang-tidy-14)
+# header of the project has changed. It is the one of the project's Python environment (scripts/lib/python.sh): other
+# versions find other things.
+set(cache_home "$ENV{XDG_CACHE_HOME}")
+if(NOT cache_home)
+    set(cache_home "$ENV{HOME}/.cache")
+endif()
+find_program(CLANG_TIDY_PROGRAM clang-tidy PATHS ${cache_home}/laplacian-simplify/python/bin NO_DEFAULT_PATH)
 mark_as_advanced(CLANG_TIDY_PROGRAM)
+
+# Where omp.h is; the other headers there come after Clang's own.
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=include
+    OUTPUT_VARIABLE compiler_headers OUTPUT_STRIP_TRAILING_WHITESPACE)
 add_custom_target(tidy)
 
 # analyse_sources(<target>): the .cpp files of the target. No-op where there is no clang-tidy.
@@ -23,7 +32,8 @@ function(analyse_sources target)
         cmake_path(GET source STEM name)
         set(stamp ${CMAKE_BINARY_DIR}/tidy/${target}.${name}.done)
         add_custom_command(OUTPUT ${stamp}
-            COMMAND ${CLANG_TIDY_PROGRAM} --quiet -p ${CMAKE_BINARY_DIR} ${source}
+            COMMAND ${CLANG_TIDY_PROGRAM} --quiet -p ${CMAKE_BINARY_DIR}
+                --extra-arg=-idirafter${compiler_headers} ${source}
             COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
             DEPENDS ${source} ${headers} ${PROJECT_SOURCE_DIR}/.clang-tidy
             COMMENT "clang-tidy ${name}.cpp" VERBATIM)

@@ -23,7 +23,7 @@ class ThrottledProgress
 
     vcg_ext::Progress host_;
     Now now_;
-    Clock::time_point last_{}; // long ago, so the first call is passed on
+    Clock::time_point last_; // long ago, so the first call is passed on
     bool continue_ = true;
 
   public:

@@ -6,8 +6,8 @@
 build_packages=(g++ cmake ninja-build qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
     python3 python3-venv libgl1 libopengl0 ca-certificates dpkg-dev xz-utils)
 # shellcheck disable=SC2034 # not every script tests
-# libomp: OpenMP of Clang, whose omp.h clang-tidy reads as well. locales: the sources of one with a decimal comma.
-test_packages=(git ccache clang-14 clang-format-14 clang-tidy-14 libomp-14-dev shellcheck locales xvfb xauth openbox
+# libomp: OpenMP of Clang. locales: the sources of one with a decimal comma.
+test_packages=(git ccache clang-14 clang-format-14 libomp-14-dev shellcheck locales xvfb xauth openbox
     xdotool imagemagick)
 
 # Prints those of the given packages that are not installed.

@@ -159,7 +159,7 @@ std::vector<std::pair<const char*, IndexedMesh>> Families()
             {"inconsistent orientation", flipped},
             {"isolated vertices", WithIsolatedVertices(Noisy(Icosphere(1), .1), 3)},
             {"degenerate faces", WithDegenerateFaces(Noisy(Icosphere(1), .1))},
-            {"one triangle", []() {
+            {"one triangle", [] {
                  IndexedMesh m = Grid(1, 1);
                  m.triangles.pop_back();
                  return m;

@@ -23,6 +23,7 @@ inline void MarkStrict(const SweepState& state, const BoundTask& task, CollapseB
     for (std::uint32_t v = 0; v < vertices; ++v)
         bound.covered.strict[v] = task.strictVertices[state.origin[v]];
     std::vector<std::pair<std::uint32_t, std::uint32_t>> faceOf; // of every input face on which points lie
+    faceOf.reserve(state.faces.size());
     for (std::uint32_t f = 0; f < state.faces.size(); ++f) faceOf.emplace_back(state.faces[f].origin, f);
     std::sort(faceOf.begin(), faceOf.end());
     for (std::uint32_t i = 0; i < task.strictPoints.size(); ++i) {
