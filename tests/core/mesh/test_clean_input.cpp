@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "analytic_meshes.h"
+#include "vcg_ext/core/measure/report.h"
+#include "vcg_ext/core/mesh/clean_input.h"
+
+using namespace test_meshes;
+using namespace vcg_ext;
+
+namespace
+{
+
+/// Every face with vertices of its own, as STL files have them.
+IndexedMesh Soup(const IndexedMesh& mesh)
+{
+    IndexedMesh soup;
+    for (const Triangle& t : mesh.triangles) {
+        for (const std::uint32_t v : t) soup.points.push_back(mesh.points[v]);
+        soup.AddTriangle(soup.points.size() - 3, soup.points.size() - 2, soup.points.size() - 1);
+    }
+    return soup;
+}
+
+IndexedMesh Both(IndexedMesh a, const IndexedMesh& b)
+{
+    const std::size_t shift = a.points.size();
+    a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+    for (const Triangle& t : b.triangles) a.AddTriangle(t[0] + shift, t[1] + shift, t[2] + shift);
+    return a;
+}
+
+EdgeCounts EdgesOf(const CleanedInput& clean)
+{
+    return CountEdges(clean.View().faceCount, [&](std::size_t f) { return clean.View().triangles + 3 * f; });
+}
+
+std::vector<std::uint32_t> TrianglesOf(const CleanedInput& clean)
+{
+    return {clean.View().triangles, clean.View().triangles + 3 * clean.View().faceCount};
+}
+
+} // namespace
+
+class TestCleanInput : public QObject
+{
+    Q_OBJECT
+
+  private slots:
+    void cleanMeshIsReadInPlace()
+    {
+        const IndexedMesh mesh = Box(3);
+        const MeshView view = View(mesh);
+        const CleanedInput clean(view, 0, 1);
+        QVERIFY(clean.View().triangles == view.triangles);
+        QCOMPARE(clean.View().faceCount, view.faceCount);
+        QCOMPARE(clean.Report().weldedVertices + clean.Report().DroppedFaces(), std::size_t{0});
+        QCOMPARE(clean.FaceOrigin(7), 7U);
+    }
+
+    void soupOfAClosedMeshIsClosed()
+    {
+        const IndexedMesh box = Box(3), soup = Soup(box);
+        const CleanedInput clean(View(soup), 0, 1);
+        QCOMPARE(EdgesOf(clean).boundary, std::size_t{0});
+        QCOMPARE(EdgesOf(clean).nonManifold, std::size_t{0});
+        QCOMPARE(clean.Report().weldedVertices, soup.points.size() - box.points.size());
+        QCOMPARE(clean.View().faceCount, soup.triangles.size());
+    }
+
+    void negativeZeroIsZero()
+    {
+        IndexedMesh mesh;
+        mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, -0.0}, {0, -1, 0}, {1, -0.0, 0}};
+        mesh.AddTriangle(0, 1, 2);
+        mesh.AddTriangle(3, 4, 5);
+        QCOMPARE(CleanedInput(View(mesh), 0, 1).Report().weldedVertices, std::size_t{2});
+    }
+
+    void closedSurfacesThatTouchStayApart()
+    {
+        IndexedMesh other = Box(2);
+        for (Point& p : other.points) p[0] += 1; // a side of each lies in the plane x = 1
+        const IndexedMesh mesh = Both(Box(2), other);
+        const CleanedInput clean(View(mesh), 0, 1);
+        QCOMPARE(clean.Report().weldedVertices, std::size_t{0});
+        QCOMPARE(EdgesOf(clean).nonManifold, std::size_t{0});
+    }
+
+    void unreferencedVerticesWeldNothing()
+    {
+        IndexedMesh mesh;
+        mesh.points = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        mesh.AddTriangle(1, 2, 3); // the first vertex is on no face
+        QCOMPARE(CleanedInput(View(mesh), 0, 1).Report().weldedVertices, std::size_t{0});
+    }
+
+    void fixedVerticesStay()
+    {
+        const IndexedMesh soup = Soup(Grid(1, 1)); // two faces; the diagonal's ends are there twice
+        MeshView view = View(soup);
+        std::vector<std::uint8_t> fixed(soup.points.size(), 0);
+        fixed[3] = 1; // of the second face, at the same place as vertex 0
+        view.fixedVertices = fixed.data();
+        const CleanedInput clean(view, 0, 1);
+        QCOMPARE(soup.points[0], soup.points[3]);
+        QCOMPARE(TrianglesOf(clean), (std::vector<std::uint32_t>{3, 1, 2, 3, 2, 5}));
+        fixed[0] = 1; // both: nothing is done with either
+        const CleanedInput both(view, 0, 1);
+        QCOMPARE(TrianglesOf(both), (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 5}));
+    }
+
+    void degenerateAndDuplicateFacesAreLeftOut()
+    {
+        IndexedMesh mesh = Grid(1, 1, 1, true);
+        mesh.AddTriangle(0, 1, 1); // degenerate
+        mesh.AddTriangle(1, 3, 0); // the first face again, turned
+        mesh.AddTriangle(1, 0, 3); // its back: another face
+        mesh.AddTriangle(2, 2, 2); // degenerate, and twice so
+        mesh.AddTriangle(2, 2, 2);
+        mesh.fauxEdges = {4, 1, 0, 2, 2, 0, 0};
+        MeshView view = View(mesh);
+        view.fauxEdges = mesh.fauxEdges.data();
+        const CleanedInput clean(view, 0, 1);
+        QCOMPARE(mesh.triangles[0], (Triangle{0, 1, 3}));
+        QCOMPARE(clean.Report().degenerateFaces, std::size_t{3});
+        QCOMPARE(clean.Report().duplicateFaces, std::size_t{1});
+        QCOMPARE(TrianglesOf(clean), (std::vector<std::uint32_t>{0, 1, 3, 0, 3, 2, 1, 0, 3}));
+        QCOMPARE(clean.FaceOrigin(1), 1U);
+        QCOMPARE(clean.FaceOrigin(2), 4U);
+        QCOMPARE(int{clean.View().fauxEdges[2]}, 2);
+    }
+
+    void bordersWithinTheDistanceAreWelded_data()
+    {
+        QTest::addColumn<double>("gap");
+        QTest::addColumn<bool>("welded");
+        QTest::newRow("closer") << .009 << true;
+        QTest::newRow("as far") << .0078125 << true; // a power of two: nothing is rounded
+        QTest::newRow("farther") << .011 << false;
+    }
+    void bordersWithinTheDistanceAreWelded()
+    {
+        QFETCH(double, gap);
+        QFETCH(bool, welded);
+        IndexedMesh right = Grid(2, 2);
+        for (Point& p : right.points) p[0] += 2 + gap;
+        const IndexedMesh mesh = Both(Grid(2, 2), right);
+        const double distance = gap < .008 ? gap : .01;
+        const CleanedInput clean(View(mesh), distance, 1);
+        QCOMPARE(clean.Report().weldedVertices, std::size_t{welded ? 3U : 0U});
+        QCOMPARE(EdgesOf(clean).boundary, std::size_t{welded ? 12U : 16U});
+        QCOMPARE(CleanedInput(View(mesh), 0, 1).Report().weldedVertices, std::size_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCleanInput)
+
+#include "test_clean_input.moc"

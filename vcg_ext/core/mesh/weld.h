@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
+#include <vector>
+
+#include "vcg_ext/core/base/first_equal.h"
+#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
+
+namespace vcg_ext
+{
+
+namespace weld_detail
+{
+
+inline std::uint64_t HashOf(const std::array<double, 3>& p)
+{
+    std::uint64_t hash = 0;
+    for (const double x : p) {
+        const double unsignedZero = x + 0.0;
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &unsignedZero, sizeof bits);
+        hash = Mixed(hash + bits);
+    }
+    return hash;
+}
+
+/// Of every vertex whether it is an end of an edge of one face. \param among only edges with such an end
+/// count; empty: all
+inline std::vector<bool> OnBorder(const MeshView& view, const std::vector<bool>& among)
+{
+    std::vector<std::uint64_t> edges;
+    for (std::size_t f = 0; f < view.faceCount; ++f) {
+        const std::uint32_t* v = view.triangles + 3 * f;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = std::min(v[k], v[(k + 1) % 3]), b = std::max(v[k], v[(k + 1) % 3]);
+            if (among.empty() || among[a] || among[b]) edges.push_back(std::uint64_t{a} << 32U | b);
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<bool> border(view.vertexCount);
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i + 1;
+        while (end < edges.size() && edges[end] == edges[i]) ++end;
+        if (end - i == 1) {
+            border[edges[i] >> 32U] = true;
+            border[edges[i] & 0xffffffffU] = true;
+        }
+        i = end;
+    }
+    return border;
+}
+
+/// Vertices by cells of a grid, for those within a distance that is the side of a cell.
+class VertexGrid
+{
+    using Cell = std::array<std::int64_t, 3>;
+    struct HashOfCell {
+        std::size_t operator()(const Cell& cell) const
+        {
+            std::uint64_t hash = 0;
+            for (const std::int64_t c : cell) hash = Mixed(hash + static_cast<std::uint64_t>(c));
+            return hash;
+        }
+    };
+    double side_;
+    std::unordered_map<Cell, std::vector<std::uint32_t>, HashOfCell> cells_;
+
+    Cell CellOf(const std::array<double, 3>& p) const
+    {
+        constexpr double kLargest = 9e15; // beyond it neighboring cells cannot be told apart
+        Cell cell{};
+        for (std::size_t k = 0; k < 3; ++k)
+            cell[k] = static_cast<std::int64_t>(std::clamp(std::floor(p[k] / side_), -kLargest, kLargest));
+        return cell;
+    }
+
+  public:
+    explicit VertexGrid(double side) : side_(side) {}
+
+    void Insert(std::uint32_t vertex, const std::array<double, 3>& p) { cells_[CellOf(p)].push_back(vertex); }
+
+    /// The lowest vertex of the grid within the distance; \p otherwise where there is none.
+    std::uint32_t LowestNear(const MeshView& view, const std::array<double, 3>& p,
+                             std::uint32_t otherwise) const
+    {
+        const Cell center = CellOf(p);
+        std::uint32_t lowest = ~0U;
+        for (int n = 0; n < 27; ++n) {
+            const auto cell =
+                cells_.find({center[0] + n % 3 - 1, center[1] + n / 3 % 3 - 1, center[2] + n / 9 - 1});
+            if (cell == cells_.end()) continue;
+            for (const std::uint32_t v : cell->second) {
+                const auto q = view.Position(v);
+                if (std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]) <= side_) lowest = std::min(lowest, v);
+            }
+        }
+        return lowest == ~0U ? otherwise : lowest;
+    }
+};
+
+} // namespace weld_detail
+
+/// Joins open borders where they meet: of every vertex the one that takes its place, which is on a border and
+/// in its place itself. Only vertices on open edges are welded, so two closed surfaces that touch stay apart.
+/// A fixed vertex is welded to nothing, but others are to it. \param distance in the mesh's unit of length
+/// \return empty where nothing is to be done
+inline std::vector<std::uint32_t> WeldedVertices(const MeshView& view, double distance, int threads)
+{
+    using namespace weld_detail;
+    const int useful = UsefulThreadCount(threads, view.faceCount);
+    const auto first = FirstEqual(
+        useful, view.vertexCount, [&](std::size_t v) { return HashOf(view.Position(v)); },
+        [&](std::size_t a, std::size_t b) { return view.Position(a) == view.Position(b); });
+    if (first.empty() && !(distance > 0)) return {};
+    std::vector<bool> doubled;
+    if (!(distance > 0)) {
+        doubled.resize(view.vertexCount);
+        for (std::uint32_t v = 0; v < first.size(); ++v)
+            if (first[v] != v) doubled[v] = doubled[first[v]] = true;
+    }
+    const std::vector<bool> border = OnBorder(view, doubled);
+    const auto isFixed = [&](std::uint32_t v) { return view.fixedVertices && view.fixedVertices[v]; };
+    std::vector<std::uint32_t> weld(view.vertexCount), takes(view.vertexCount, ~0U);
+    VertexGrid grid(distance);
+    bool any = false;
+    for (const bool fixed : {true, false}) { // fixed vertices are there first
+        for (std::uint32_t v = 0; v < view.vertexCount; ++v) {
+            if (isFixed(v) != fixed) continue;
+            weld[v] = v;
+            if (!border[v] || !(distance > 0 || doubled[v])) continue;
+            if (distance > 0) {
+                const auto p = view.Position(v);
+                if (!fixed) weld[v] = grid.LowestNear(view, p, v);
+                if (weld[v] == v) grid.Insert(v, p);
+            } else {
+                std::uint32_t& taken = takes[first[v]]; // by the first of the group that may be welded to
+                if (taken == ~0U) taken = v;
+                if (!fixed) weld[v] = taken;
+            }
+            any = any || weld[v] != v;
+        }
+    }
+    return any ? weld : std::vector<std::uint32_t>{};
+}
+
+} // namespace vcg_ext
