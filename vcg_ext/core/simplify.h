@@ -65,6 +65,7 @@ inline void CheckMesh(const MeshView& view)
 /// What is done with a collapsed surface, and when: percent of the time, roughly.
 struct PipelineStages {
     bool refine = true;
+    bool exchange = false; ///< of the refinement
     bool repairFolds = true;
     int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 95;
@@ -102,6 +103,7 @@ inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface
     refinement.threads = threads;
     refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
     refinement.flip = !before; // moves can be taken back one by one
+    refinement.exchange = stages.exchange && !before;
     Refine(surface.original, surface.simplified, surface.root, refinement);
     DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
     if (before) stages.bound->TakeBack(mesh, *before);
@@ -205,6 +207,7 @@ inline Simplification RunSweeps(const MeshView& view, const DecimationParameters
 {
     PipelineStages stages;
     stages.refine = parameters.effort != Effort::Fast;
+    stages.exchange = parameters.effort == Effort::Best;
     if (!stages.refine) stages.collapseEnds = stages.repairBegins;
     std::optional<BoundKeeper> bound;
     if (parameters.maxError > 0)
@@ -227,8 +230,8 @@ inline Simplification Simplify(const MeshView& view, const DecimationParameters&
 {
     CheckParameters(parameters);
     CheckMesh(view);
-    if (parameters.order == Order::Strict || parameters.effort == Effort::Best)
-        throw std::invalid_argument("order = strict and effort = best need vcg_ext/decimate.h");
+    if (parameters.order == Order::Strict)
+        throw std::invalid_argument("order = strict needs vcg_ext/decimate.h");
     return RunSweeps(view, parameters);
 }
 

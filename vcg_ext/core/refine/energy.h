@@ -33,6 +33,17 @@ struct RefinementState {
     float farthest2 = std::numeric_limits<float>::max(); ///< of the samples, before the first change
     std::uint32_t blockVertices = kBlockVertices;
 
+    float gainFactor = 1;         ///< of what flips and moves must gain
+    float valenceWeight = 0;      ///< kValenceWeight of now
+    Buffer<std::uint8_t> changed{}; ///< not 0: vertices whose star has changed lately; empty: nobody asks
+    struct Renewed {
+        Buffer<std::uint8_t> vertices{}, faces{};
+    } renewed{}; ///< not 0: an exchange has put them to another place
+
+    void MarkChanged(std::uint32_t v)
+    {
+        if (!changed.empty()) changed[v] = 1;
+    }
     /// No change may bring a point farther than this, squared, unless it was before.
     float Tolerable2() const
     {

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "vcg_ext/core/base/buffer.h"
+#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/mesh/edge_flip.h"
+#include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/energy.h"
+#include "vcg_ext/core/refine/fan.h"
+#include "vcg_ext/core/refine/parameters.h"
+
+namespace vcg_ext
+{
+
+/// An edge that may collapse, or get a vertex, and what that changes.
+struct ExchangeOffer {
+    float energy;       ///< of the samples: what the collapse costs, or the new vertex gains
+    std::uint32_t a, b; ///< the ends of the edge
+    Vector3<float> x;   ///< the vertex that is left or made, seen from the middle of the edge
+
+    bool Precedes(const ExchangeOffer& other) const { return a != other.a ? a < other.a : b < other.b; }
+};
+
+/// What a collapse leaves unused, for a new vertex.
+struct FreedSlots {
+    std::uint32_t vertex = kNone;
+    std::array<std::uint32_t, 2> faces{kNone, kNone};
+};
+
+/// Collapses an edge into a vertex, or puts a vertex on an edge, where that is allowed. Border and fixed
+/// vertices do not collapse, and no edge between two fixed vertices is divided.
+/// One object per thread; it holds nothing but scratch between two calls.
+class VertexExchanger
+{
+    RefinementState& state_;
+    Fan fan_;
+    Scratch<std::uint32_t> ringA_, ringB_;
+
+  public:
+    explicit VertexExchanger(RefinementState& state) : state_(state), fan_(state) {}
+
+    /// What collapsing the edge costs, with the vertex where the samples want it.
+    std::optional<ExchangeOffer> OfferCollapse(std::uint32_t a, std::uint32_t b)
+    {
+        if (!GatherCollapse(a, b)) return std::nullopt;
+        return Offer(a, b, fan_.PlaneMinimum(), -1);
+    }
+    /// What a new vertex on the edge gains.
+    std::optional<ExchangeOffer> OfferVertex(std::uint32_t a, std::uint32_t b)
+    {
+        if (!GatherDivision(a, b)) return std::nullopt;
+        const auto offer = Offer(a, b, Vector3<float>{}, 1);
+        return offer && offer->energy > 0 ? offer : std::nullopt;
+    }
+
+    bool MayCollapse(const ExchangeOffer& offer)
+    {
+        return GatherCollapse(offer.a, offer.b) && KeepsDistances(offer.x);
+    }
+    bool MayDivide(const ExchangeOffer& offer)
+    {
+        return GatherDivision(offer.a, offer.b) && KeepsDistances(offer.x);
+    }
+
+    /// \pre MayCollapse, and nothing near has changed since
+    FreedSlots Collapse(const ExchangeOffer& offer);
+    /// \pre MayDivide, and nothing near has changed since
+    void Divide(const ExchangeOffer& offer, const FreedSlots& slots);
+
+  private:
+    SurfaceArrays& surface() { return state_.simplified; }
+
+    std::optional<ExchangeOffer> Offer(std::uint32_t a, std::uint32_t b, const Vector3<float>& start,
+                                       double sign)
+    {
+        if (!fan_.HasSamples()) return std::nullopt;
+        const Fan::Fit fit = fan_.BestCenter(start);
+        fan_.MeasureForward(fit.x, nullptr);
+        if (!fan_.KeepsFaces()) return std::nullopt;
+        const double change = static_cast<double>(fan_.summary().energy) - fit.energy;
+        return ExchangeOffer{static_cast<float>(sign * change), a, b, fit.x};
+    }
+
+    /// Does no point get farther away than is tolerable, and no face look away from the original?
+    bool KeepsDistances(const Vector3<float>& x)
+    {
+        const Fan::Distances forward = fan_.MeasureForward(x, nullptr);
+        const float allowed2 = std::max(fan_.present2(), state_.Tolerable2());
+        if (!fan_.HasSamples() || !fan_.KeepsFaces() || forward.largest2 > allowed2) return false;
+        const Fan::Distances backward = fan_.MeasureBackward(x, nullptr);
+        const double samples = forward.energy + static_cast<double>(fan_.summary().energy);
+        return backward.largest2 <= allowed2 && backward.energy < kMaxBackwardRatio * samples &&
+               !fan_.FacesAway();
+    }
+
+    Vector3<float> Middle(std::uint32_t a, std::uint32_t b) const
+    {
+        const Vector3<float> p = PositionOf(state_.simplified, a);
+        return p + 0.5F * (PositionOf(state_.simplified, b) - p);
+    }
+    Vector3<float> NormalOfFace(std::uint32_t face) const
+    {
+        const Vector3<float> n = AreaVector(state_.simplified, face);
+        const float length = Norm(n);
+        return length > 0 ? 1 / length * n : n;
+    }
+    void GatherRing(std::uint32_t v, Scratch<std::uint32_t>& ring) const
+    {
+        ring.Clear();
+        const SurfaceArrays& s = state_.simplified;
+        for (const Corner* c = BeginCorners(s, v); c != EndCorners(s, v); ++c)
+            ring.Append() = NextVertex(s, *c);
+    }
+
+    /// Link condition: the ends have no common neighbour but the two across the edge, and these keep three
+    /// faces. \pre neither end is on a border: every edge at them has two faces
+    bool KeepsTopology(std::uint32_t a, std::uint32_t b)
+    {
+        constexpr std::uint32_t kMinFaces = 3;
+        const SurfaceArrays& s = state_.simplified;
+        GatherRing(a, ringA_);
+        GatherRing(b, ringB_);
+        std::size_t common = 0;
+        for (const std::uint32_t w : ringA_) {
+            if (std::find(ringB_.begin(), ringB_.end(), w) == ringB_.end()) continue;
+            if (++common > 2 || s.cornerCount[w] <= kMinFaces) return false;
+        }
+        const std::size_t left = ringA_.size() + ringB_.size() - 4;
+        const std::uint32_t room = std::max(CornerCapacity(s, a), CornerCapacity(s, b));
+        return common == 2 && left >= kMinFaces && left <= room;
+    }
+    bool GatherCollapse(std::uint32_t a, std::uint32_t b)
+    {
+        const SurfaceArrays& s = state_.simplified;
+        if ((s.flags[a] | s.flags[b]) & (kBorderVertex | kFixedVertex)) return false;
+        if (s.cornerCount[a] + std::size_t{s.cornerCount[b]} > kMaxFanFaces || !KeepsTopology(a, b))
+            return false;
+        fan_.Begin(Middle(a, b));
+        for (const Corner* c = BeginCorners(s, a); c != EndCorners(s, a); ++c) AddStarFace(*c, b, true);
+        for (const Corner* c = BeginCorners(s, b); c != EndCorners(s, b); ++c) AddStarFace(*c, a, false);
+        return true;
+    }
+    void AddStarFace(Corner corner, std::uint32_t other, bool holdShared)
+    {
+        const SurfaceArrays& s = state_.simplified;
+        const std::uint32_t face = FaceOf(corner);
+        const bool isShared = HasVertex(s.triangles[face], other);
+        if (!isShared) fan_.AddFace(face, NextVertex(s, corner), PreviousVertex(s, corner), NormalOfFace(face));
+        if (!isShared || holdShared) fan_.HoldSamples(face);
+    }
+    bool GatherDivision(std::uint32_t a, std::uint32_t b)
+    {
+        const SurfaceArrays& s = state_.simplified;
+        const auto edge = FindInnerEdge(s, a, b);
+        if (!edge || edge->c == edge->d || (s.flags[a] & s.flags[b] & kFixedVertex)) return false;
+        const auto full = [&](std::uint32_t v) { return s.cornerCount[v] >= CornerCapacity(s, v); };
+        if (full(edge->c) || full(edge->d)) return false;
+        fan_.Begin(Middle(a, b));
+        const std::uint32_t first = edge->First(), second = edge->Second();
+        const Vector3<float> n = NormalOfFace(first), m = NormalOfFace(second);
+        fan_.AddFace(first, edge->b, edge->c, n);
+        fan_.AddFace(kNone, edge->c, edge->a, n);
+        fan_.AddFace(second, edge->a, edge->d, m);
+        fan_.AddFace(kNone, edge->d, edge->b, m);
+        fan_.HoldSamples(first);
+        fan_.HoldSamples(second);
+        return true;
+    }
+
+    void PutVertex(std::uint32_t v, const Vector3<float>& x)
+    {
+        const Vector3<float> p = fan_.origin() + x;
+        SurfacePoint& point = surface().points[v];
+        point = {p.x, p.y, p.z, point.weight};
+    }
+    /// Says of the fan and its rim that they have changed.
+    void MarkChanged(std::uint32_t center)
+    {
+        state_.changed[center] = 1;
+        for (const FanFace& face : fan_.faces()) state_.changed[face.next] = state_.changed[face.previous] = 1;
+    }
+    void SetTriangle(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+    {
+        surface().triangles[face] = {{a, b, c}};
+        AddCorner(surface(), a, MakeCorner(face, 0));
+        AddCorner(surface(), b, MakeCorner(face, 1));
+        AddCorner(surface(), c, MakeCorner(face, 2));
+    }
+};
+
+inline FreedSlots VertexExchanger::Collapse(const ExchangeOffer& offer)
+{
+    SurfaceArrays& s = surface();
+    GatherCollapse(offer.a, offer.b);
+    fan_.MeasureForward(offer.x, nullptr);
+    fan_.MeasureBackward(offer.x, nullptr);
+    const bool intoB = CornerCapacity(s, offer.b) >= CornerCapacity(s, offer.a);
+    const std::uint32_t gone = intoB ? offer.a : offer.b, kept = intoB ? offer.b : offer.a;
+    FreedSlots freed;
+    freed.vertex = gone;
+    std::size_t shared = 0;
+    for (const Corner* c = BeginCorners(s, gone); c != EndCorners(s, gone); ++c)
+        if (HasVertex(s.triangles[FaceOf(*c)], kept)) freed.faces[shared++] = FaceOf(*c);
+    for (const std::uint32_t face : freed.faces)
+        for (int k = 0; k < 3; ++k) RemoveCorner(s, s.triangles[face].v[k], MakeCorner(face, k));
+    for (const Corner* c = BeginCorners(s, gone); c != EndCorners(s, gone); ++c) {
+        s.triangles[FaceOf(*c)].v[IndexOf(*c)] = kept;
+        AddCorner(s, kept, *c);
+    }
+    s.cornerCount[gone] = 0;
+    PutVertex(kept, offer.x);
+    s.flags[kept] = kMovedVertex;
+    fan_.Store(kept);
+    MarkChanged(kept);
+    return freed;
+}
+
+inline void VertexExchanger::Divide(const ExchangeOffer& offer, const FreedSlots& slots)
+{
+    SurfaceArrays& s = surface();
+    GatherDivision(offer.a, offer.b);
+    fan_.SetFace(1, slots.faces[0]);
+    fan_.SetFace(3, slots.faces[1]);
+    fan_.MeasureForward(offer.x, nullptr);
+    fan_.MeasureBackward(offer.x, nullptr);
+    s.cornerCount[slots.vertex] = 0;
+    for (const std::size_t i : {0, 2}) {
+        const std::uint32_t face = fan_.faces()[i].face;
+        for (int k = 0; k < 3; ++k) RemoveCorner(s, s.triangles[face].v[k], MakeCorner(face, k));
+    }
+    for (const FanFace& face : fan_.faces()) SetTriangle(face.face, slots.vertex, face.next, face.previous);
+    PutVertex(slots.vertex, offer.x);
+    s.flags[slots.vertex] = kMovedVertex;
+    fan_.Store(slots.vertex);
+    MarkChanged(slots.vertex);
+    state_.renewed.vertices[slots.vertex] = 1;
+    for (const std::uint32_t face : slots.faces) state_.renewed.faces[face] = 1;
+}
+
+} // namespace vcg_ext
