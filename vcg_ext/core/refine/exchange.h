@@ -105,12 +105,6 @@ class VertexExchanger
         const Vector3<float> p = PositionOf(state_.simplified, a);
         return p + 0.5F * (PositionOf(state_.simplified, b) - p);
     }
-    Vector3<float> NormalOfFace(std::uint32_t face) const
-    {
-        const Vector3<float> n = AreaVector(state_.simplified, face);
-        const float length = Norm(n);
-        return length > 0 ? 1 / length * n : n;
-    }
     void GatherRing(std::uint32_t v, Scratch<std::uint32_t>& ring) const
     {
         ring.Clear();
@@ -152,7 +146,7 @@ class VertexExchanger
         const SurfaceArrays& s = state_.simplified;
         const std::uint32_t face = FaceOf(corner);
         const bool isShared = HasVertex(s.triangles[face], other);
-        if (!isShared) fan_.AddFace(face, NextVertex(s, corner), PreviousVertex(s, corner), NormalOfFace(face));
+        if (!isShared) fan_.AddFace(face, NextVertex(s, corner), PreviousVertex(s, corner), fan_.UnitNormal(face));
         if (!isShared || holdShared) fan_.HoldSamples(face);
     }
     bool GatherDivision(std::uint32_t a, std::uint32_t b)
@@ -164,7 +158,7 @@ class VertexExchanger
         if (full(edge->c) || full(edge->d)) return false;
         fan_.Begin(Middle(a, b));
         const std::uint32_t first = edge->First(), second = edge->Second();
-        const Vector3<float> n = NormalOfFace(first), m = NormalOfFace(second);
+        const Vector3<float> n = fan_.UnitNormal(first), m = fan_.UnitNormal(second);
         fan_.AddFace(first, edge->b, edge->c, n);
         fan_.AddFace(kNone, edge->c, edge->a, n);
         fan_.AddFace(second, edge->a, edge->d, m);
@@ -174,12 +168,6 @@ class VertexExchanger
         return true;
     }
 
-    void PutVertex(std::uint32_t v, const Vector3<float>& x)
-    {
-        const Vector3<float> p = fan_.origin() + x;
-        SurfacePoint& point = surface().points[v];
-        point = {p.x, p.y, p.z, point.weight};
-    }
     /// Says of the fan and its rim that they have changed.
     void MarkChanged(std::uint32_t center)
     {
@@ -215,9 +203,7 @@ inline FreedSlots VertexExchanger::Collapse(const ExchangeOffer& offer)
         AddCorner(s, kept, *c);
     }
     s.cornerCount[gone] = 0;
-    PutVertex(kept, offer.x);
-    s.flags[kept] = kMovedVertex;
-    fan_.Store(kept);
+    fan_.Store(kept, offer.x);
     MarkChanged(kept);
     return freed;
 }
@@ -236,9 +222,7 @@ inline void VertexExchanger::Divide(const ExchangeOffer& offer, const FreedSlots
         for (int k = 0; k < 3; ++k) RemoveCorner(s, s.triangles[face].v[k], MakeCorner(face, k));
     }
     for (const FanFace& face : fan_.faces()) SetTriangle(face.face, slots.vertex, face.next, face.previous);
-    PutVertex(slots.vertex, offer.x);
-    s.flags[slots.vertex] = kMovedVertex;
-    fan_.Store(slots.vertex);
+    fan_.Store(slots.vertex, offer.x);
     MarkChanged(slots.vertex);
     state_.renewed.vertices[slots.vertex] = 1;
     for (const std::uint32_t face : slots.faces) state_.renewed.faces[face] = 1;

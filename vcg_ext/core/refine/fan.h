@@ -85,7 +85,17 @@ class Fan
             present2_ = std::max(present2_, MaxLane(groups_[i].distance2));
     }
 
-    const Vector3<float>& origin() const { return origin_; }
+    /// A vertex as it stands, with its faces and their samples.
+    void FillWithStar(std::uint32_t v)
+    {
+        const SurfaceArrays& s = state_.simplified;
+        Begin(PositionOf(s, v));
+        for (const Corner* c = BeginCorners(s, v); c != EndCorners(s, v); ++c) {
+            AddFace(FaceOf(*c), NextVertex(s, *c), PreviousVertex(s, *c), UnitNormal(FaceOf(*c)));
+            HoldSamples(FaceOf(*c));
+        }
+    }
+
     const Scratch<FanFace>& faces() const { return faces_; }
     /// Of the samples as they are.
     const SampleSummary& summary() const { return summary_; }
@@ -205,10 +215,15 @@ class Fan
         }
     }
 
-    /// Puts the samples where the last MeasureForward found them, and remembers the places of the last
-    /// MeasureBackward. \pre the faces of the fan are those around \p center, numbered as AddFace had it
-    void Store(std::uint32_t center)
+    /// Puts \p center and the samples where the last measurements, at \p x, had them.
+    /// \pre the faces of the fan are those around \p center, numbered as AddFace had it
+    void Store(std::uint32_t center, const Vector3<float>& x)
     {
+        const Vector3<float> p = origin_ + x;
+        SurfacePoint& point = state_.simplified.points[center];
+        point = {p.x, p.y, p.z, point.weight};
+        auto& flags = state_.simplified.flags[center];
+        flags = static_cast<std::uint8_t>(flags | kMovedVertex);
         for (const std::uint32_t face : held_) state_.samples.Clear(face);
         StoreSamples(state_.samples, groups_, faces_.size(), [&](std::size_t i) { return faces_[i].face; });
         for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -219,6 +234,13 @@ class Fan
         state_.vertexHints[center] = hints_[2 * faces_.size()];
     }
     void SetFace(std::size_t i, std::uint32_t face) { faces_[i].face = face; }
+
+    Vector3<float> UnitNormal(std::uint32_t face) const
+    {
+        const Vector3<float> n = AreaVector(state_.simplified, face);
+        const float length = Norm(n);
+        return length > 0 ? 1 / length * n : n;
+    }
 
   private:
     void MeasureGroup(SampleGroup& group, const Vector3<Float4>& point) const

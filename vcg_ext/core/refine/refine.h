@@ -19,6 +19,7 @@
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/passes.h"
 #include "vcg_ext/core/refine/rounds.h"
+#include "vcg_ext/core/refine/worst_stars.h"
 
 namespace vcg_ext
 {
@@ -99,7 +100,9 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     reached(20);
     if (parameters.exchange) {
         RefineInRounds(state, threads, report,
-                       [&](int rounds) { reached(20 + 75 * rounds / kRounds); });
+                       [&](int rounds) { reached(20 + 70 * rounds / kRounds); });
+        reached(90);
+        report.worst = ImproveWorstStars(state, TreeOf(original, threads), threads);
         report.rmsAfter = std::sqrt(MeanSquare(state.samples));
         return report;
     }
