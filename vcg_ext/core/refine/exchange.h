@@ -21,11 +21,16 @@ namespace vcg_ext
 
 /// An edge that may collapse, or get a vertex, and what that changes.
 struct ExchangeOffer {
-    float energy;       ///< of the samples: what the collapse costs, or the new vertex gains
+    float energy;       ///< of the samples: what the collapse costs, or minus what the new vertex gains
     std::uint32_t a, b; ///< the ends of the edge
     Vector3<float> x;   ///< the vertex that is left or made, seen from the middle of the edge
+    bool stands = true; ///< false: it may not be
 
-    bool Precedes(const ExchangeOffer& other) const { return a != other.a ? a < other.a : b < other.b; }
+    bool HasEdgeBefore(const ExchangeOffer& other) const { return a != other.a ? a < other.a : b < other.b; }
+    bool IsBetterThan(const ExchangeOffer& other) const
+    {
+        return energy < other.energy || (!(other.energy < energy) && HasEdgeBefore(other));
+    }
 };
 
 /// What a collapse leaves unused, for a new vertex.
@@ -47,57 +52,56 @@ class VertexExchanger
     explicit VertexExchanger(RefinementState& state) : state_(state), fan_(state) {}
 
     /// What collapsing the edge costs, with the vertex where the samples want it.
-    std::optional<ExchangeOffer> OfferCollapse(std::uint32_t a, std::uint32_t b)
+    ExchangeOffer OfferCollapse(std::uint32_t a, std::uint32_t b)
     {
-        if (!GatherCollapse(a, b)) return std::nullopt;
-        return Offer(a, b, fan_.PlaneMinimum(), -1);
+        if (!GatherCollapse(a, b)) return {0, a, b, {}, false};
+        return Offer(a, b, fan_.PlaneMinimum());
     }
     /// What a new vertex on the edge gains.
-    std::optional<ExchangeOffer> OfferVertex(std::uint32_t a, std::uint32_t b)
+    ExchangeOffer OfferDivision(std::uint32_t a, std::uint32_t b)
     {
-        if (!GatherDivision(a, b)) return std::nullopt;
-        const auto offer = Offer(a, b, Vector3<float>{}, 1);
-        return offer && offer->energy > 0 ? offer : std::nullopt;
+        if (!GatherDivision(a, b)) return {0, a, b, {}, false};
+        return Offer(a, b, Vector3<float>{});
+    }
+    /// The same as things are now, with all limits.
+    ExchangeOffer ConfirmCollapse(const ExchangeOffer& offer)
+    {
+        return WithinDistances(OfferCollapse(offer.a, offer.b));
+    }
+    ExchangeOffer ConfirmDivision(const ExchangeOffer& offer)
+    {
+        return WithinDistances(OfferDivision(offer.a, offer.b));
     }
 
-    bool MayCollapse(const ExchangeOffer& offer)
-    {
-        return GatherCollapse(offer.a, offer.b) && KeepsDistances(offer.x);
-    }
-    bool MayDivide(const ExchangeOffer& offer)
-    {
-        return GatherDivision(offer.a, offer.b) && KeepsDistances(offer.x);
-    }
-
-    /// \pre MayCollapse, and nothing near has changed since
+    /// \pre the offer is confirmed, and nothing near has changed since
     FreedSlots Collapse(const ExchangeOffer& offer);
-    /// \pre MayDivide, and nothing near has changed since
+    /// \pre the offer is confirmed, and nothing near has changed since
     void Divide(const ExchangeOffer& offer, const FreedSlots& slots);
 
   private:
     SurfaceArrays& surface() { return state_.simplified; }
 
-    std::optional<ExchangeOffer> Offer(std::uint32_t a, std::uint32_t b, const Vector3<float>& start,
-                                       double sign)
+    ExchangeOffer Offer(std::uint32_t a, std::uint32_t b, const Vector3<float>& start)
     {
-        if (!fan_.HasSamples()) return std::nullopt;
+        if (!fan_.HasSamples()) return {0, a, b, {}, false};
         const Fan::Fit fit = fan_.BestCenter(start);
         fan_.MeasureForward(fit.x, nullptr);
-        if (!fan_.KeepsFaces()) return std::nullopt;
-        const double change = static_cast<double>(fan_.summary().energy) - fit.energy;
-        return ExchangeOffer{static_cast<float>(sign * change), a, b, fit.x};
+        const double change = fit.energy - static_cast<double>(fan_.summary().energy);
+        return {static_cast<float>(change), a, b, fit.x, fan_.KeepsFaces()};
     }
 
-    /// Does no point get farther away than is tolerable, and no face look away from the original?
-    bool KeepsDistances(const Vector3<float>& x)
+    /// No point may get farther away than is tolerable, and no face look away from the original.
+    /// \pre the fan is that of the offer, measured at its place
+    ExchangeOffer WithinDistances(ExchangeOffer offer)
     {
-        const Fan::Distances forward = fan_.MeasureForward(x, nullptr);
+        if (!offer.stands) return offer;
+        const Fan::Distances forward = fan_.MeasureForward(offer.x, nullptr);
         const float allowed2 = std::max(fan_.present2(), state_.Tolerable2());
-        if (!fan_.HasSamples() || !fan_.KeepsFaces() || forward.largest2 > allowed2) return false;
-        const Fan::Distances backward = fan_.MeasureBackward(x, nullptr);
+        const Fan::Distances backward = fan_.MeasureBackward(offer.x, nullptr);
         const double samples = forward.energy + static_cast<double>(fan_.summary().energy);
-        return backward.largest2 <= allowed2 && backward.energy < kMaxBackwardRatio * samples &&
-               !fan_.FacesAway();
+        offer.stands = forward.largest2 <= allowed2 && backward.largest2 <= allowed2 &&
+                       backward.energy < kMaxBackwardRatio * samples && !fan_.FacesAway();
+        return offer;
     }
 
     Vector3<float> Middle(std::uint32_t a, std::uint32_t b) const
@@ -171,8 +175,9 @@ class VertexExchanger
     /// Says of the fan and its rim that they have changed.
     void MarkChanged(std::uint32_t center)
     {
-        state_.changed[center] = 1;
-        for (const FanFace& face : fan_.faces()) state_.changed[face.next] = state_.changed[face.previous] = 1;
+        state_.MarkChanged(center, kNewFaces);
+        for (const FanFace& face : fan_.faces())
+            for (const std::uint32_t v : {face.next, face.previous}) state_.MarkChanged(v, kNewFaces);
     }
     void SetTriangle(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c)
     {

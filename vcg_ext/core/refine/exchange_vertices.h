@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
@@ -132,21 +131,62 @@ class EdgeGuesses
     }
 };
 
-/// What measure(exchanger, guess) offers for each of \p guesses, as far as it offers anything.
-template <class Measure>
-std::vector<ExchangeOffer> MeasureOffers(const std::vector<EdgeGuess>& guesses,
-                                         PerThread<VertexExchanger>& exchangers, int threads,
-                                         const Measure& measure)
+/// The offers that were measured, by edge, so that a later round need not measure them again where no face is
+/// new. What has moved in the meantime makes an offer a guess; it is confirmed before it is carried out.
+class MeasuredOffers
 {
-    constexpr std::size_t kGrain = 32;
-    std::vector<std::optional<ExchangeOffer>> measured(guesses.size());
-    ParallelRanges(threads, guesses.size(), kGrain, [&](std::size_t begin, std::size_t end, int thread) {
-        for (std::size_t i = begin; i < end; ++i) measured[i] = measure(exchangers[thread].tool, guesses[i]);
-    });
-    std::vector<ExchangeOffer> offers;
-    for (const auto& offer : measured)
-        if (offer) offers.push_back(*offer);
-    return offers;
+    std::vector<ExchangeOffer> byEdge_;
+
+  public:
+    /// Measures the offers of \p guesses, or remembers them. \param measure measure(exchanger, a, b)
+    /// \return those that stand, the best first
+    template <class IsNew, class Measure>
+    std::vector<ExchangeOffer> Update(const std::vector<EdgeGuess>& guesses, const IsNew& isNew,
+                                      PerThread<VertexExchanger>& exchangers, int threads,
+                                      const Measure& measure)
+    {
+        constexpr std::size_t kGrain = 32;
+        std::vector<ExchangeOffer> offers(guesses.size());
+        ParallelRanges(threads, guesses.size(), kGrain, [&](std::size_t begin, std::size_t end, int thread) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const EdgeGuess& guess = guesses[i];
+                const ExchangeOffer* known =
+                    isNew(guess.a) || isNew(guess.b) ? nullptr : Find(guess.a, guess.b);
+                offers[i] = known ? *known : measure(exchangers[thread].tool, guess.a, guess.b);
+            }
+        });
+        std::sort(offers.begin(), offers.end(),
+                  [](const ExchangeOffer& l, const ExchangeOffer& r) { return l.HasEdgeBefore(r); });
+        byEdge_ = offers;
+        KeepStanding(offers);
+        return offers;
+    }
+
+    /// Drops what may not be; the best first.
+    static void KeepStanding(std::vector<ExchangeOffer>& offers)
+    {
+        offers.erase(std::remove_if(offers.begin(), offers.end(),
+                                    [](const ExchangeOffer& offer) { return !offer.stands; }),
+                     offers.end());
+        std::sort(offers.begin(), offers.end(),
+                  [](const ExchangeOffer& l, const ExchangeOffer& r) { return l.IsBetterThan(r); });
+    }
+
+  private:
+    const ExchangeOffer* Find(std::uint32_t a, std::uint32_t b) const
+    {
+        const ExchangeOffer edge{0, a, b, {}};
+        const auto at = std::lower_bound(
+            byEdge_.begin(), byEdge_.end(), edge,
+            [](const ExchangeOffer& l, const ExchangeOffer& r) { return l.HasEdgeBefore(r); });
+        return at != byEdge_.end() && at->a == a && at->b == b ? &*at : nullptr;
+    }
+};
+
+/// Does the new vertex gain enough for what the collapse costs?
+inline bool IsWorthIt(const ExchangeOffer& collapse, const ExchangeOffer& division)
+{
+    return division.energy < 0 && -division.energy >= kMinExchangeRatio * collapse.energy;
 }
 
 /// Collapses, the cheapest first, each with the best new vertex that is left, as long as that is worth it. No
@@ -197,79 +237,86 @@ class ExchangeChoice
     {
     }
 
-    /// \param losses ascending \param gains descending
-    ChosenExchanges Choose(const std::vector<ExchangeOffer>& losses, const std::vector<ExchangeOffer>& gains)
+    /// \pre the best ones are first
+    ChosenExchanges Choose(const std::vector<ExchangeOffer>& collapses,
+                           const std::vector<ExchangeOffer>& divisions)
     {
         const std::size_t most =
             static_cast<std::size_t>(kMaxExchanges * static_cast<double>(surface_.VertexCount())) + 1;
         ChosenExchanges chosen;
-        auto gain = gains.begin();
-        for (const ExchangeOffer& loss : losses) {
+        auto division = divisions.begin();
+        for (const ExchangeOffer& collapse : collapses) {
             if (chosen.collapses.size() == most) break;
-            if (gain == gains.end() || gain->energy < kMinExchangeRatio * loss.energy) break;
-            if (!Take([&](const auto& visit) { ForEachVertexOfCollapse(loss, visit); })) continue;
-            chosen.collapses.push_back(loss);
-            while (gain != gains.end() &&
-                   !Take([&](const auto& visit) { ForEachVertexOfDivision(*gain, visit); }))
-                ++gain;
-            if (gain != gains.end()) chosen.divisions.push_back(*gain++);
+            if (division == divisions.end() || !IsWorthIt(collapse, *division)) break;
+            if (!Take([&](const auto& visit) { ForEachVertexOfCollapse(collapse, visit); })) continue;
+            chosen.collapses.push_back(collapse);
+            while (division != divisions.end() &&
+                   !Take([&](const auto& visit) { ForEachVertexOfDivision(*division, visit); }))
+                ++division;
+            if (division != divisions.end()) chosen.divisions.push_back(*division++);
         }
         return chosen;
     }
 };
 
-/// Drops what may not be. \param may may(exchanger, offer)
-template <class May>
-void DropForbidden(std::vector<ExchangeOffer>& offers, PerThread<VertexExchanger>& exchangers, int threads,
-                   const May& may)
+/// Rounds of exchanges: cheap collapses pay for new vertices that gain more.
+class ExchangeRounds
 {
-    std::vector<std::uint8_t> keeps(offers.size());
-    ParallelFor(threads, offers.size(), [&](std::size_t i, int thread) {
-        keeps[i] = may(exchangers[thread].tool, offers[i]) ? 1 : 0;
-    });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < offers.size(); ++i)
-        if (keeps[i]) offers[kept++] = offers[i];
-    offers.resize(kept);
-}
+    RefinementState& state_;
+    int threads_;
+    PerThread<VertexExchanger> exchangers_;
+    MeasuredOffers collapses_, divisions_;
 
-/// One round: cheap collapses pay for new vertices that gain more. Returns how many there were.
-/// \pre state.changed and state.renewed have their sizes
-inline std::size_t ExchangeVertices(RefinementState& state, int threads)
-{
-    PerThread<VertexExchanger> exchangers(state, threads);
-    ChosenExchanges chosen;
+  public:
+    /// \pre state.changed and state.renewed have their sizes
+    ExchangeRounds(RefinementState& state, int threads)
+        : state_(state), threads_(threads), exchangers_(state, threads)
     {
-        const EdgeGuesses guesses(state, threads);
-        using Tool = VertexExchanger;
-        std::vector<ExchangeOffer> losses =
-            MeasureOffers(guesses.collapses, exchangers, threads,
-                          [](Tool& tool, const EdgeGuess& e) { return tool.OfferCollapse(e.a, e.b); });
-        std::vector<ExchangeOffer> gains =
-            MeasureOffers(guesses.divisions, exchangers, threads,
-                          [](Tool& tool, const EdgeGuess& e) { return tool.OfferVertex(e.a, e.b); });
-        std::sort(losses.begin(), losses.end(), [](const ExchangeOffer& l, const ExchangeOffer& r) {
-            return l.energy != r.energy ? l.energy < r.energy : l.Precedes(r);
-        });
-        std::sort(gains.begin(), gains.end(), [](const ExchangeOffer& l, const ExchangeOffer& r) {
-            return l.energy != r.energy ? l.energy > r.energy : l.Precedes(r);
-        });
-        chosen = ExchangeChoice(state.simplified).Choose(losses, gains);
-        DropForbidden(chosen.collapses, exchangers, threads,
-                      [](Tool& tool, const ExchangeOffer& offer) { return tool.MayCollapse(offer); });
-        DropForbidden(chosen.divisions, exchangers, threads,
-                      [](Tool& tool, const ExchangeOffer& offer) { return tool.MayDivide(offer); });
     }
-    std::size_t pairs = std::min(chosen.collapses.size(), chosen.divisions.size());
-    const auto isWorthIt = [&](std::size_t i) {
-        return chosen.divisions[i].energy >= kMinExchangeRatio * chosen.collapses[i].energy;
-    };
-    while (pairs > 0 && !isWorthIt(pairs - 1)) --pairs;
-    ParallelFor(threads, pairs, [&](std::size_t i, int thread) {
-        VertexExchanger& exchanger = exchangers[thread].tool;
-        exchanger.Divide(chosen.divisions[i], exchanger.Collapse(chosen.collapses[i]));
-    });
-    return pairs;
-}
+
+    /// Returns how many exchanges there were.
+    /// \param isNew isNew(v): faces around it or its neighbours are new since the last call
+    template <class IsNew>
+    std::size_t Run(const IsNew& isNew)
+    {
+        ChosenExchanges chosen = Choose(isNew);
+        Confirm(chosen.collapses, [](VertexExchanger& tool, const ExchangeOffer& offer) {
+            return tool.ConfirmCollapse(offer);
+        });
+        Confirm(chosen.divisions, [](VertexExchanger& tool, const ExchangeOffer& offer) {
+            return tool.ConfirmDivision(offer);
+        });
+        std::size_t count = 0;
+        const std::size_t pairs = std::min(chosen.collapses.size(), chosen.divisions.size());
+        while (count < pairs && IsWorthIt(chosen.collapses[count], chosen.divisions[count])) ++count;
+        ParallelFor(threads_, count, [&](std::size_t i, int thread) {
+            VertexExchanger& exchanger = exchangers_[thread].tool;
+            exchanger.Divide(chosen.divisions[i], exchanger.Collapse(chosen.collapses[i]));
+        });
+        return count;
+    }
+
+  private:
+    template <class IsNew>
+    ChosenExchanges Choose(const IsNew& isNew)
+    {
+        const EdgeGuesses guesses(state_, threads_);
+        const auto collapses = collapses_.Update(
+            guesses.collapses, isNew, exchangers_, threads_,
+            [](VertexExchanger& tool, std::uint32_t a, std::uint32_t b) { return tool.OfferCollapse(a, b); });
+        const auto divisions = divisions_.Update(
+            guesses.divisions, isNew, exchangers_, threads_,
+            [](VertexExchanger& tool, std::uint32_t a, std::uint32_t b) { return tool.OfferDivision(a, b); });
+        return ExchangeChoice(state_.simplified).Choose(collapses, divisions);
+    }
+    template <class Again>
+    void Confirm(std::vector<ExchangeOffer>& offers, const Again& again)
+    {
+        ParallelFor(threads_, offers.size(), [&](std::size_t i, int thread) {
+            offers[i] = again(exchangers_[thread].tool, offers[i]);
+        });
+        MeasuredOffers::KeepStanding(offers);
+    }
+};
 
 } // namespace vcg_ext

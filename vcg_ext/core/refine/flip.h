@@ -171,7 +171,7 @@ class EdgeFlipper
     {
         const std::array<std::uint32_t, 2> faces{edge_.First(), edge_.Second()};
         FlipEdge(state_.simplified, edge_);
-        for (const std::uint32_t v : {edge_.a, edge_.b, edge_.c, edge_.d}) state_.MarkChanged(v);
+        for (const std::uint32_t v : {edge_.a, edge_.b, edge_.c, edge_.d}) state_.MarkChanged(v, kNewFaces);
         for (const std::uint32_t face : faces) {
             state_.centroidHints[face] = kNone;
             for (int k = 0; k < 3; ++k) state_.edgeHints[EdgeHint(MakeCorner(face, k))] = kNone;

@@ -211,7 +211,7 @@ class VertexMover
         point.z += step.z;
         auto& flags = state_.simplified.flags[v];
         flags = static_cast<std::uint8_t>(flags | kMovedVertex);
-        state_.MarkChanged(v);
+        state_.MarkChanged(v, kMovedLately);
         StoreSamples(state_.samples, groups_, star_.size(), [&](std::size_t i) { return star_[i].face; });
     }
 };

@@ -109,6 +109,8 @@ constexpr float kMinFoldCosine = -0.2F;
 /// Rounds of [exchanges; flips; two passes of moves]; exchanges are in the first ones only. Four rounds of them
 /// gain 3.6 %, six nearly all of the 3.8 % of twelve.
 constexpr int kRounds = 8, kExchangeRounds = 6;
+/// A round that lowers the mean squared distance by less than this part is the last one.
+constexpr double kMinRoundGain = 0.004;
 /// x what flips and moves must gain, after each round.
 constexpr float kGainDecay = 0.7F;
 /// The part of the edges that is measured as a collapse, and as a place for a new vertex; a quarter takes four

@@ -50,30 +50,30 @@ std::size_t MoveVertices(RefinementState& state, int threads, const Wanted& want
     return movers.Count();
 }
 
-/// The vertices where a pass may find something to do: those that changed, and their neighbours.
+/// The vertices around which something has changed: where a pass may find something to do.
 class ActiveVertices
 {
     Buffer<std::uint8_t> isActive_;
 
   public:
+    /// All.
     explicit ActiveVertices(std::size_t vertices) : isActive_(vertices)
     {
         std::fill(isActive_.begin(), isActive_.end(), std::uint8_t{1});
     }
 
-    /// From what state.changed has.
-    void Update(const RefinementState& state, int threads)
+    /// Those that have changed in such a way, and their neighbours.
+    void Update(const SurfaceArrays& surface, const Buffer<std::uint8_t>& changed, int changes, int threads)
     {
         constexpr std::size_t kGrain = 4096;
-        const SurfaceArrays& s = state.simplified;
+        const auto hasChanged = [&](std::uint32_t v) { return (changed[v] & changes) != 0; };
         ParallelRanges(threads, isActive_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto v = static_cast<std::uint32_t>(i);
-                isActive_[v] = state.changed[v] || std::any_of(BeginCorners(s, v), EndCorners(s, v),
-                                                               [&](Corner c) {
-                                                                   return state.changed[NextVertex(s, c)] ||
-                                                                          state.changed[PreviousVertex(s, c)];
-                                                               });
+                const bool isNear = std::any_of(BeginCorners(surface, v), EndCorners(surface, v), [&](Corner c) {
+                    return hasChanged(NextVertex(surface, c)) || hasChanged(PreviousVertex(surface, c));
+                });
+                isActive_[v] = hasChanged(v) || isNear;
             }
         });
     }

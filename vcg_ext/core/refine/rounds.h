@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/refine/energy.h"
@@ -22,35 +23,38 @@ inline Buffer<std::uint8_t> NoMarks(std::size_t size)
     return marks;
 }
 
-/// Rounds of exchanges, flips and moves; from the second one on flips and moves only near what has changed.
+/// Rounds of exchanges, flips and moves; from the second one on flips and moves only near what has changed. They
+/// end where a round gains little.
 /// \param reached called with the number of rounds done; may throw
 template <class Reached>
 void RefineInRounds(RefinementState& state, int threads, RefinementReport& report, const Reached& reached)
 {
-    const std::size_t vertices = state.simplified.VertexCount();
-    state.changed = NoMarks(vertices);
-    state.renewed = {NoMarks(vertices), NoMarks(state.simplified.FaceCount())};
-    ActiveVertices active(vertices);
+    const SurfaceArrays& surface = state.simplified;
+    state.changed = NoMarks(surface.VertexCount());
+    state.renewed = {NoMarks(surface.VertexCount()), NoMarks(surface.FaceCount())};
+    ActiveVertices active(surface.VertexCount()), hasNewFaces(surface.VertexCount());
+    ExchangeRounds exchanges(state, threads);
     float valenceWeight = kValenceWeight;
+    double meanSquare = static_cast<double>(state.meanSquare);
     for (int round = 0; round < kRounds; ++round) {
         reached(round);
+        const auto update = [&] {
+            if (round > 0) active.Update(surface, state.changed, kMovedLately | kNewFaces, threads);
+        };
+        if (round < kExchangeRounds) report.exchanges += exchanges.Run(hasNewFaces);
+        update();
         state.valenceWeight = round < kRounds - kRoundsWithoutValence ? valenceWeight : 0;
-        std::size_t changes = round < kExchangeRounds ? ExchangeVertices(state, threads) : 0;
-        report.exchanges += changes;
-        if (round > 0) active.Update(state, threads);
-        const std::size_t flips = FlipEdges(state, threads, active);
-        report.flips += flips;
-        changes += flips;
-        if (round > 0) active.Update(state, threads);
+        report.flips += FlipEdges(state, threads, active);
+        update();
+        hasNewFaces.Update(surface, state.changed, kNewFaces, threads);
         for (int sweep = 0; sweep < 2; ++sweep) {
             std::fill(state.changed.begin(), state.changed.end(), std::uint8_t{0});
-            const std::size_t moves = MoveVertices(state, threads, active);
-            report.moves += moves;
+            report.moves += MoveVertices(state, threads, active);
             ++report.sweeps;
-            changes += moves;
-            if (round > 0 || sweep > 0) active.Update(state, threads);
+            if (sweep > 0) active.Update(surface, state.changed, kMovedLately, threads); else update();
         }
-        if (changes == 0) break;
+        const double before = std::exchange(meanSquare, MeanSquare(state.samples));
+        if (!(meanSquare < before * (1 - kMinRoundGain))) break;
         state.gainFactor *= kGainDecay;
         valenceWeight *= kGainDecay;
     }
