@@ -58,6 +58,7 @@ class VertexMover
         Gather(v);
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
+        if (!state_.backward2.empty()) state_.backward2[v] = before.backward2;
         const NormalEquations equations = sums.Total();
         const std::optional<Vector3<float>> best = SolveStep(equations, Regularization(before.sum));
         if (!best) return false;

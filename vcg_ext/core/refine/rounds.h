@@ -32,6 +32,8 @@ void RefineInRounds(RefinementState& state, int threads, RefinementReport& repor
     const SurfaceArrays& surface = state.simplified;
     state.changed = NoMarks(surface.VertexCount());
     state.renewed = {NoMarks(surface.VertexCount()), NoMarks(surface.FaceCount())};
+    state.backward2.Allocate(surface.VertexCount());
+    std::fill(state.backward2.begin(), state.backward2.end(), 0.0F);
     ActiveVertices active(surface.VertexCount()), hasNewFaces(surface.VertexCount());
     ExchangeRounds exchanges(state, threads);
     float valenceWeight = kValenceWeight;

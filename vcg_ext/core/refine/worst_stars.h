@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
@@ -47,16 +47,21 @@ class WorstStarMover
   public:
     explicit WorstStarMover(RefinementState& state) : state_(state), fan_(state) {}
 
-    /// True if \p v moved and the largest distance fell. \param tree of the original's faces
-    bool Move(std::uint32_t v, const FaceTree& tree)
+    /// The squared largest distance of the star, before and after.
+    struct Outcome {
+        float before2 = 0, after2 = 0;
+    };
+
+    /// \param tree of the original's faces
+    Outcome Move(std::uint32_t v, const FaceTree& tree)
     {
         fan_.FillWithStar(v);
-        if (!fan_.HasSamples()) return false;
+        if (!fan_.HasSamples()) return {};
         Vector3<float> x{};
         Fan::Distances best = Measure(x, tree);
+        const float before2 = best.largest2;
         const double mean = static_cast<double>(state_.meanSquare * fan_.summary().weight);
         const double allowed = best.energy + kWorstPrice * (best.energy + mean);
-        bool moved = false;
         float length = kWorstStep;
         for (int trial = 0; trial < kWorstTrials && length > kSmallestWorstStep; ++trial) {
             const Vector3<float> tried = x + length * best.step;
@@ -69,35 +74,29 @@ class WorstStarMover
             }
             best = now;
             x = tried;
-            moved = true;
         }
-        if (!moved) return false;
-        Measure(x, tree);
-        fan_.Store(v, x);
-        return true;
+        if (best.largest2 < before2) {
+            Measure(x, tree);
+            fan_.Store(v, x);
+        }
+        return {before2, best.largest2};
     }
 };
 
-/// How far the stars are from the other surface.
+/// How far the stars are from the other surface: forward as the samples have it, backward as the moves have
+/// seen it last. A star that has changed since may be nearer by now.
 class StarDistances
 {
     const RefinementState& state_;
-    const FaceTree& tree_;
-    PlaceSearch search_;
-    Buffer<float> ofFaces_;    ///< squared; of their samples, their centroids and the midpoints of their edges
-    Buffer<float> ofVertices_; ///< squared; of themselves
+    Buffer<float> ofFaces_; ///< squared, of their samples
 
   public:
-    StarDistances(const RefinementState& state, const FaceTree& tree, int threads)
-        : state_(state), tree_(tree), search_(state.original), ofFaces_(state.simplified.FaceCount()),
-          ofVertices_(state.simplified.VertexCount())
+    StarDistances(const RefinementState& state, int threads)
+        : state_(state), ofFaces_(state.simplified.FaceCount())
     {
-        constexpr std::size_t kGrain = 1024;
+        constexpr std::size_t kGrain = 4096;
         ParallelRanges(threads, ofFaces_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t f = begin; f < end; ++f) MeasureFace(static_cast<std::uint32_t>(f));
-        });
-        ParallelRanges(threads, ofVertices_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t v = begin; v < end; ++v) MeasureVertex(static_cast<std::uint32_t>(v));
+            for (std::size_t f = begin; f < end; ++f) UpdateFace(static_cast<std::uint32_t>(f));
         });
     }
 
@@ -105,69 +104,25 @@ class StarDistances
     float Largest2(std::uint32_t v) const
     {
         const SurfaceArrays& s = state_.simplified;
-        float largest2 = ofVertices_[v];
+        float largest2 = state_.backward2[v];
         for (const Corner* c = BeginCorners(s, v); c != EndCorners(s, v); ++c)
             largest2 = std::max(largest2, ofFaces_[FaceOf(*c)]);
         return largest2;
     }
-    /// After \p v has moved.
-    void MeasureStar(std::uint32_t v)
+    void UpdateFaces(std::uint32_t v)
     {
         const SurfaceArrays& s = state_.simplified;
-        MeasureVertex(v);
-        for (const Corner* c = BeginCorners(s, v); c != EndCorners(s, v); ++c) MeasureFace(FaceOf(*c));
+        for (const Corner* c = BeginCorners(s, v); c != EndCorners(s, v); ++c) UpdateFace(FaceOf(*c));
     }
 
   private:
-    void MeasureFace(std::uint32_t face)
+    void UpdateFace(std::uint32_t face)
     {
         float largest2 = 0;
         const Buffer<Sample>& samples = state_.samples.samples;
         for (std::uint32_t i = state_.samples.faces[face].first; i != kNone; i = samples[i].next)
             largest2 = std::max(largest2, samples[i].distance2);
-        Vector3<Float4> points{};
-        std::array<SurfacePlace, kLanes> hints{};
-        SetLane(points, 0, Centroid(state_.simplified, face));
-        hints[0] = state_.centroidHints[face];
-        for (int k = 0; k < 3; ++k) {
-            const SurfaceTriangle& t = state_.simplified.triangles[face];
-            const Vector3<float> a = PositionOf(state_.simplified, t.v[k]);
-            const Vector3<float> b = PositionOf(state_.simplified, t.v[kNextIndex[k]]);
-            SetLane(points, k + 1, 0.5F * (a + b));
-            const SurfacePlace hint = state_.edgeHints[EdgeHint(MakeCorner(face, k))];
-            hints[static_cast<std::size_t>(k) + 1] = hint == kNone ? hints[0] : hint;
-        }
-        ofFaces_[face] = MaxLane(Distances2(points, hints, largest2));
-        ofFaces_[face] = std::max(ofFaces_[face], largest2);
-    }
-    void MeasureVertex(std::uint32_t v)
-    {
-        ofVertices_[v] = 0;
-        if (state_.simplified.cornerCount[v] == 0) return;
-        std::array<SurfacePlace, kLanes> hints{};
-        hints.fill(state_.vertexHints[v]);
-        const Vector3<Float4> point = Splat(PositionOf(state_.simplified, v));
-        const float doubt = std::numeric_limits<float>::max(); // no spike is a single point
-        ofVertices_[v] = Distances2(point, hints, doubt)[0];
-    }
-    /// Of four points, by walks from the hints. \param forward2 how far the samples nearby are
-    Float4 Distances2(const Vector3<Float4>& points, std::array<SurfacePlace, kLanes> hints,
-                      float forward2) const
-    {
-        std::array<SurfacePlace*, kLanes> at{};
-        Int4 isKnown{};
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            isKnown[lane] = hints[lane] == kNone ? 0 : -1;
-            if (hints[lane] == kNone) hints[lane] = kFacePlace; // any face does: the tree finds the right one
-            at[lane] = &hints[lane];
-        }
-        const PlaceSearch::FourHits hits = search_.Find(points, at.data());
-        Float4 distance2 = hits.distance2;
-        const float doubtful2 = kDoubtful * std::max(forward2, state_.meanSquare);
-        for (int lane = 0; lane < kLanes; ++lane)
-            if (!hits.found[lane] || !isKnown[lane] || distance2[lane] > doubtful2)
-                distance2[lane] = tree_.Distance2(Lane(points, lane));
-        return distance2;
+        ofFaces_[face] = largest2;
     }
 };
 
@@ -192,41 +147,78 @@ std::vector<std::uint32_t> WorstOf(const SurfaceArrays& surface, std::vector<std
     return chosen;
 }
 
-/// Returns how many stars got better.
-inline std::size_t ImproveWorstStars(RefinementState& state, const FaceTree& tree, int threads)
+/// The stars that are still to be tried, and how far they are.
+class WorstStars
 {
-    constexpr std::uint32_t kMinFaces = 3;
-    const SurfaceArrays& s = state.simplified;
-    StarDistances distances(state, tree, threads);
-    PerThread<WorstStarMover> movers(state, threads);
-    const float floor2 = kWorstDistance * kWorstDistance * state.meanSquare;
-    std::size_t budget = static_cast<std::size_t>(kWorstStars * static_cast<double>(s.VertexCount())) + 1;
-    const std::size_t most = budget / kWorstTurns + 1;
-    std::vector<std::uint8_t> isDone(s.VertexCount(), 0);
-    std::vector<float> largest2(s.VertexCount());
-    while (budget > 0) {
+    static constexpr std::uint32_t kMinFaces = 3;
+    RefinementState& state_;
+    const FaceTree& tree_;
+    int threads_;
+    StarDistances distances_;
+    PerThread<WorstStarMover> movers_;
+    std::vector<std::uint8_t> isDone_;
+    std::vector<float> largest2_; ///< of the candidates
+
+  public:
+    WorstStars(RefinementState& state, const FaceTree& tree, int threads)
+        : state_(state), tree_(tree), threads_(threads), distances_(state, threads), movers_(state, threads),
+          isDone_(state.simplified.VertexCount(), 0), largest2_(state.simplified.VertexCount())
+    {
+        const SurfaceArrays& s = state.simplified;
+        for (std::uint32_t v = 0; v < s.VertexCount(); ++v)
+            isDone_[v] = s.cornerCount[v] < kMinFaces || s.cornerCount[v] > kMaxFanFaces ||
+                         (s.flags[v] & (kBorderVertex | kFixedVertex));
+    }
+
+    /// The worst ones, at most \p count, that share no face.
+    std::vector<std::uint32_t> Next(std::size_t count)
+    {
+        const float floor2 = kWorstDistance * kWorstDistance * state_.meanSquare;
         std::vector<std::uint32_t> candidates;
-        for (std::uint32_t v = 0; v < s.VertexCount(); ++v) {
-            if (isDone[v] || s.cornerCount[v] < kMinFaces || s.cornerCount[v] > kMaxFanFaces) continue;
-            if (s.flags[v] & (kBorderVertex | kFixedVertex)) continue;
-            largest2[v] = distances.Largest2(v);
-            if (largest2[v] > floor2) candidates.push_back(v);
+        for (std::uint32_t v = 0; v < isDone_.size(); ++v) {
+            if (isDone_[v]) continue;
+            largest2_[v] = distances_.Largest2(v);
+            if (largest2_[v] > floor2) candidates.push_back(v);
         }
-        const std::vector<std::uint32_t> chosen =
-            WorstOf(s, candidates, std::min(budget, most), [&](std::uint32_t v) { return largest2[v]; });
-        if (chosen.empty()) break;
-        budget -= chosen.size();
-        ParallelFor(threads, chosen.size(), [&](std::size_t i, int thread) {
-            auto& slot = movers[thread];
-            if (slot.tool.Move(chosen[i], tree)) {
+        return WorstOf(state_.simplified, std::move(candidates), count,
+                       [&](std::uint32_t v) { return largest2_[v]; });
+    }
+    /// Tries to make them better. Returns how many were as bad as they seemed.
+    std::size_t Move(const std::vector<std::uint32_t>& stars)
+    {
+        constexpr float kSeems = 0.5F; // of the squared distance
+        std::vector<std::uint8_t> wasBad(stars.size());
+        ParallelFor(threads_, stars.size(), [&](std::size_t i, int thread) {
+            const std::uint32_t v = stars[i];
+            auto& slot = movers_[thread];
+            const WorstStarMover::Outcome outcome = slot.tool.Move(v, tree_);
+            wasBad[i] = outcome.before2 > kSeems * largest2_[v];
+            state_.backward2[v] = outcome.after2;
+            if (outcome.after2 < outcome.before2) {
                 ++slot.count;
-                distances.MeasureStar(chosen[i]);
+                distances_.UpdateFaces(v);
             } else {
-                isDone[chosen[i]] = 1;
+                isDone_[v] = 1;
             }
         });
+        return static_cast<std::size_t>(std::count(wasBad.begin(), wasBad.end(), std::uint8_t{1}));
     }
-    return movers.Count();
+    std::size_t Improved() const { return movers_.Count(); }
+};
+
+/// Returns how many times a star got better. \param tree of the original's faces
+inline std::size_t ImproveWorstStars(RefinementState& state, const FaceTree& tree, int threads)
+{
+    WorstStars stars(state, tree, threads);
+    const double vertices = static_cast<double>(state.simplified.VertexCount());
+    std::size_t budget = static_cast<std::size_t>(kWorstStars * vertices) + 1;
+    const std::size_t most = budget / kWorstTurns + 1;
+    for (int turn = 0; turn < 2 * kWorstTurns && budget > 0; ++turn) {
+        const std::vector<std::uint32_t> worst = stars.Next(std::min(budget, most));
+        if (worst.empty()) break;
+        budget -= stars.Move(worst);
+    }
+    return stars.Improved();
 }
 
 } // namespace vcg_ext
