@@ -24,6 +24,7 @@
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/refine/refine.h"
+#include "vcg_ext/core/refine/renewed_origins.h"
 #include "vcg_ext/core/repair/repair_folds.h"
 
 namespace vcg_ext
@@ -104,7 +105,8 @@ inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface
     refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
     refinement.flip = !before; // moves can be taken back one by one
     refinement.exchange = stages.exchange && !before;
-    Refine(surface.original, surface.simplified, surface.root, refinement);
+    const RefinementReport report = Refine(surface.original, surface.simplified, surface.root, refinement);
+    RenameRenewed(view, report.renewed, surface);
     DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
     if (before) stages.bound->TakeBack(mesh, *before);
     return mesh;

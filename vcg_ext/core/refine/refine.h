@@ -48,11 +48,12 @@ inline Buffer<SurfacePlace> NoHints(std::size_t size)
 
 /// The samples attached to the faces and how far they are, and no hints.
 inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArrays& simplified,
-                                       const Buffer<std::uint32_t>& root, int threads)
+                                       const Buffer<std::uint32_t>& root, int threads,
+                                       float featureShare = kFeatureShare)
 {
     RefinementState state{original,
                           simplified,
-                          AttachSamples(original, simplified, root, threads),
+                          AttachSamples(original, simplified, root, threads, featureShare),
                           NoHints(simplified.VertexCount()),
                           NoHints(simplified.FaceCount()),
                           NoHints(3 * simplified.FaceCount())};
@@ -89,7 +90,8 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         MakeRoomForCorners(simplified, kExchangeRoom);
     else if (parameters.flip)
         MakeRoomForCorners(simplified, kFlipRoom);
-    RefinementState state = BeginRefinement(original, simplified, root, threads);
+    RefinementState state = BeginRefinement(
+        original, simplified, root, threads, parameters.exchange ? kFeatureShareOfBest : kFeatureShare);
     report.samples = state.samples.samples.size();
     report.rmsBefore = report.rmsAfter = std::sqrt(MeanSquare(state.samples));
     const double faceSize = FaceSize(simplified);
@@ -99,10 +101,10 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
 
     reached(20);
     if (parameters.exchange) {
-        RefineInRounds(state, threads, report,
-                       [&](int rounds) { reached(20 + 70 * rounds / kRounds); });
+        RefineInRounds(state, threads, report, [&](int rounds) { reached(20 + 70 * rounds / kRounds); });
         reached(90);
         report.worst = ImproveWorstStars(state, TreeOf(original, threads), threads);
+        report.renewed = PlacesOfRenewed(state);
         report.rmsAfter = std::sqrt(MeanSquare(state.samples));
         return report;
     }

@@ -23,6 +23,30 @@ inline Buffer<std::uint8_t> NoMarks(std::size_t size)
     return marks;
 }
 
+/// A place of the original near a face: below its centroid, or where a sample of it comes from.
+inline SurfacePlace PlaceNear(const RefinementState& state, std::uint32_t face)
+{
+    if (state.centroidHints[face] != kNone) return state.centroidHints[face];
+    const std::uint32_t sample = state.samples.faces[face].first;
+    return sample == kNone ? kNone : state.samples.samples[sample].origin;
+}
+
+/// What exchanges have renewed, and where it is now.
+inline RenewedPlaces PlacesOfRenewed(const RefinementState& state)
+{
+    const SurfaceArrays& surface = state.simplified;
+    RenewedPlaces places;
+    for (std::uint32_t f = 0; f < surface.FaceCount(); ++f)
+        if (state.renewed.faces[f]) places.faces.push_back({f, PlaceNear(state, f)});
+    for (std::uint32_t v = 0; v < surface.VertexCount(); ++v) {
+        if (!state.renewed.vertices[v]) continue;
+        SurfacePlace place = state.vertexHints[v];
+        if (place == kNone) place = PlaceNear(state, FaceOf(*BeginCorners(surface, v)));
+        places.vertices.push_back({v, place});
+    }
+    return places;
+}
+
 /// Rounds of exchanges, flips and moves; from the second one on flips and moves only near what has changed. They
 /// end where a round gains little.
 /// \param reached called with the number of rounds done; may throw
