@@ -66,7 +66,7 @@ inline void CheckMesh(const MeshView& view)
 /// What is done with a collapsed surface, and when: percent of the time, roughly.
 struct PipelineStages {
     bool refine = true;
-    bool exchange = false; ///< of the refinement
+    bool exchange = false; ///< RefinementParameters::exchange; under a bound more passes of moves instead
     bool repairFolds = true;
     int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 95;
@@ -93,6 +93,9 @@ inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surf
     return mesh;
 }
 
+/// Passes of moves for effort best where a bound has to hold: an exchange could not be taken back by itself.
+constexpr int kBoundedSweeps = 8;
+
 /// Refines the surface where that is asked for, and takes it as a mesh.
 inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface,
                                  const PipelineStages& stages, int threads, const StageProgress& progress)
@@ -105,6 +108,7 @@ inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface
     refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
     refinement.flip = !before; // moves can be taken back one by one
     refinement.exchange = stages.exchange && !before;
+    if (stages.exchange && before) refinement.moveSweeps = kBoundedSweeps;
     const RefinementReport report = Refine(surface.original, surface.simplified, surface.root, refinement);
     RenameRenewed(view, report.renewed, surface);
     DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
@@ -204,12 +208,18 @@ struct SweepCollapse {
     }
 };
 
+inline PipelineStages StagesOf(Effort effort)
+{
+    PipelineStages stages;
+    stages.refine = effort != Effort::Fast;
+    stages.exchange = effort == Effort::Best;
+    return stages;
+}
+
 /// The sweep engine from a mesh to its report.
 inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
-    PipelineStages stages;
-    stages.refine = parameters.effort != Effort::Fast;
-    stages.exchange = parameters.effort == Effort::Best;
+    PipelineStages stages = StagesOf(parameters.effort);
     if (!stages.refine) stages.collapseEnds = stages.repairBegins;
     std::optional<BoundKeeper> bound;
     if (parameters.maxError > 0)
@@ -224,8 +234,8 @@ inline Simplification RunSweeps(const MeshView& view, const DecimationParameters
 ///     parameters.targetFaces = 1000;
 ///     const auto [mesh, report] = vcg_ext::Simplify(view, parameters);
 ///
-/// \throws std::invalid_argument as CheckParameters and CheckMesh, and where order or effort need VCG's
-///         queue, which only vcg_ext/decimate.h has; std::length_error for 2^29 faces and more;
+/// \throws std::invalid_argument as CheckParameters and CheckMesh, and where the order needs VCG's queue,
+///         which only vcg_ext/decimate.h has; std::length_error for 2^29 faces and more;
 ///         std::bad_alloc
 /// \pre indices of the view are below its vertexCount
 inline Simplification Simplify(const MeshView& view, const DecimationParameters& parameters)

@@ -76,7 +76,7 @@ class VertexExchanger
     /// \pre the offer is confirmed, and nothing near has changed since
     FreedSlots Collapse(const ExchangeOffer& offer);
     /// \pre the offer is confirmed, and nothing near has changed since
-    void Divide(const ExchangeOffer& offer, const FreedSlots& slots);
+    void Divide(const ExchangeOffer& offer, const FreedSlots& freed);
 
   private:
     SurfaceArrays& surface() { return state_.simplified; }
@@ -213,24 +213,24 @@ inline FreedSlots VertexExchanger::Collapse(const ExchangeOffer& offer)
     return freed;
 }
 
-inline void VertexExchanger::Divide(const ExchangeOffer& offer, const FreedSlots& slots)
+inline void VertexExchanger::Divide(const ExchangeOffer& offer, const FreedSlots& freed)
 {
     SurfaceArrays& s = surface();
     GatherDivision(offer.a, offer.b);
-    fan_.SetFace(1, slots.faces[0]);
-    fan_.SetFace(3, slots.faces[1]);
+    fan_.SetFace(1, freed.faces[0]);
+    fan_.SetFace(3, freed.faces[1]);
     fan_.MeasureForward(offer.x, nullptr);
     fan_.MeasureBackward(offer.x, nullptr);
-    s.cornerCount[slots.vertex] = 0;
+    s.cornerCount[freed.vertex] = 0;
     for (const std::size_t i : {0, 2}) {
         const std::uint32_t face = fan_.faces()[i].face;
         for (int k = 0; k < 3; ++k) RemoveCorner(s, s.triangles[face].v[k], MakeCorner(face, k));
     }
-    for (const FanFace& face : fan_.faces()) SetTriangle(face.face, slots.vertex, face.next, face.previous);
-    fan_.Store(slots.vertex, offer.x);
-    MarkChanged(slots.vertex);
-    state_.renewed.vertices[slots.vertex] = 1;
-    for (const std::uint32_t face : slots.faces) state_.renewed.faces[face] = 1;
+    for (const FanFace& face : fan_.faces()) SetTriangle(face.face, freed.vertex, face.next, face.previous);
+    fan_.Store(freed.vertex, offer.x);
+    MarkChanged(freed.vertex);
+    state_.renewed.vertices[freed.vertex] = 1;
+    for (const std::uint32_t face : freed.faces) state_.renewed.faces[face] = 1;
 }
 
 } // namespace vcg_ext

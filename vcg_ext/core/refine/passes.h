@@ -18,9 +18,13 @@
 namespace vcg_ext
 {
 
+struct AllVertices {
+    bool operator()(std::uint32_t) const { return true; }
+};
+
 /// One pass of flips over the edges of all vertices \p wanted. Returns how many there were.
-template <class Wanted>
-std::size_t FlipEdges(RefinementState& state, int threads, const Wanted& wanted)
+template <class Wanted = AllVertices>
+std::size_t FlipEdges(RefinementState& state, int threads, const Wanted& wanted = {})
 {
     PerThread<EdgeFlipper> flippers(state, threads);
     const SurfaceArrays& surface = state.simplified;
@@ -33,8 +37,8 @@ std::size_t FlipEdges(RefinementState& state, int threads, const Wanted& wanted)
 }
 
 /// One pass of moves over all vertices \p wanted that may move. Returns how many did.
-template <class Wanted>
-std::size_t MoveVertices(RefinementState& state, int threads, const Wanted& wanted)
+template <class Wanted = AllVertices>
+std::size_t MoveVertices(RefinementState& state, int threads, const Wanted& wanted = {})
 {
     constexpr std::uint32_t kMinFaces = 3;
     PerThread<VertexMover> movers(state, threads);

@@ -108,11 +108,10 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         report.rmsAfter = std::sqrt(MeanSquare(state.samples));
         return report;
     }
-    const auto all = [](std::uint32_t) { return true; };
-    if (parameters.flip) report.flips = FlipEdges(state, threads, all);
+    if (parameters.flip) report.flips = FlipEdges(state, threads);
     for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
         reached(40 + 60 * sweep / parameters.moveSweeps);
-        const std::size_t moves = MoveVertices(state, threads, all);
+        const std::size_t moves = MoveVertices(state, threads);
         report.moves += moves;
         ++report.sweeps;
         if (moves == 0) break;
