@@ -9,6 +9,7 @@
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/symmetric_matrix.h"
+#include "vcg_ext/core/mesh/one_ring.h"
 #include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/refine/energy.h"
 #include "vcg_ext/core/refine/exchange.h"
@@ -122,10 +123,14 @@ class EdgeGuesses
     static void KeepLeast(std::vector<EdgeGuess>& guesses, std::size_t count)
     {
         if (guesses.size() <= count) return;
+        // Many are equal where it is flat: neighbours, of which only one can collapse, should not be preferred.
+        const auto mixed = [](const EdgeGuess& guess) {
+            return std::uint64_t{MixedBits(guess.a + MixedBits(guess.b))} << 32 | guess.a;
+        };
         std::nth_element(guesses.begin(), guesses.begin() + static_cast<std::ptrdiff_t>(count), guesses.end(),
-                         [](const EdgeGuess& l, const EdgeGuess& r) {
-                             if (l.value != r.value) return l.value < r.value;
-                             return l.a != r.a ? l.a < r.a : l.b < r.b;
+                         [&](const EdgeGuess& l, const EdgeGuess& r) {
+                             if (l.value < r.value || r.value < l.value) return l.value < r.value;
+                             return mixed(l) != mixed(r) ? mixed(l) < mixed(r) : l.b < r.b;
                          });
         guesses.resize(count);
     }
