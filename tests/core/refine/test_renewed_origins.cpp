@@ -42,7 +42,8 @@ struct Farthest {
     double vertices = 0, faces = 0;
 };
 
-/// How far the result's vertices are from their origins, and its faces' nearest corners from a corner of theirs.
+/// How far the result's vertices are from their origins, and its faces' nearest corners from a corner of
+/// theirs.
 Farthest FarthestOrigins(const IndexedMesh& mesh, const DecimatedMesh& result)
 {
     Farthest farthest;

@@ -176,8 +176,7 @@ void TestOrdered::addsNoDefect()
     QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
     QCOMPARE(after.duplicateFaces, 0);
     QCOMPARE(after.degenerateFaces, 0);
-    QCOMPARE(decimation.mesh.stopReason == StopReason::Target,
-             decimation.mesh.triangles.size() <= target);
+    QCOMPARE(decimation.mesh.stopReason == StopReason::Target, decimation.mesh.triangles.size() <= target);
 }
 
 void TestOrdered::linkConditionKeepsTheTopology()

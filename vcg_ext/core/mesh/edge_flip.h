@@ -58,9 +58,9 @@ inline std::optional<FlippableEdge> FindInnerEdge(const SurfaceArrays& surface, 
                          NextVertex(surface, in)};
 }
 
-/// The same, if its faces have different third corners and it may go: an edge between fixed vertices stays, and
-/// with it every face that has no other corners. None is made between fixed vertices that other meshes share.
-/// That c and d are not neighbours is left to the caller.
+/// The same, if its faces have different third corners and it may go: an edge between fixed vertices stays,
+/// and with it every face that has no other corners. None is made between fixed vertices that other meshes
+/// share. That c and d are not neighbours is left to the caller.
 inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
                                                       std::uint32_t w)
 {

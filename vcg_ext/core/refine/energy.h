@@ -39,10 +39,11 @@ struct RefinementState {
     float farthest2 = std::numeric_limits<float>::max(); ///< of the samples, before the first change
     std::uint32_t blockVertices = kBlockVertices;
 
-    float gainFactor = 1;         ///< of what flips and moves must gain
-    float valenceWeight = 0;      ///< kValenceWeight of now
+    float gainFactor = 1;           ///< of what flips and moves must gain
+    float valenceWeight = 0;        ///< kValenceWeight of now
     Buffer<std::uint8_t> changed{}; ///< VertexChange of every vertex; empty: nobody asks
-    Buffer<float> backward2{}; ///< largest squared distance backward of each star when it was measured last; or empty
+    Buffer<float>
+        backward2{}; ///< largest squared distance backward of each star when it was measured last; or empty
     struct Renewed {
         Buffer<std::uint8_t> vertices{}, faces{};
     } renewed{}; ///< not 0: an exchange has put them to another place

@@ -150,7 +150,8 @@ class VertexExchanger
         const SurfaceArrays& s = state_.simplified;
         const std::uint32_t face = FaceOf(corner);
         const bool isShared = HasVertex(s.triangles[face], other);
-        if (!isShared) fan_.AddFace(face, NextVertex(s, corner), PreviousVertex(s, corner), fan_.UnitNormal(face));
+        if (!isShared)
+            fan_.AddFace(face, NextVertex(s, corner), PreviousVertex(s, corner), fan_.UnitNormal(face));
         if (!isShared || holdShared) fan_.HoldSamples(face);
     }
     bool GatherDivision(std::uint32_t a, std::uint32_t b)

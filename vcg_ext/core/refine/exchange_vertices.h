@@ -111,11 +111,12 @@ class EdgeGuesses
             const std::uint32_t w = NextVertex(s, *c);
             if (w < v) continue; // the other face beside the edge leads to it
             ++lists.edges;
-            const Corner* across = std::find_if(begin, end, [&](Corner k) { return PreviousVertex(s, k) == w; });
+            const Corner* across =
+                std::find_if(begin, end, [&](Corner k) { return PreviousVertex(s, k) == w; });
             if (across == end) continue;
-            lists.divisions.push_back({-state.samples.faces[FaceOf(*c)].energy -
-                                           state.samples.faces[FaceOf(*across)].energy,
-                                       v, w});
+            lists.divisions.push_back(
+                {-state.samples.faces[FaceOf(*c)].energy - state.samples.faces[FaceOf(*across)].energy, v,
+                 w});
             if (!((s.flags[v] | s.flags[w]) & kStays))
                 lists.collapses.push_back({quadrics.CostOf(v, w), v, w});
         }
@@ -123,7 +124,8 @@ class EdgeGuesses
     static void KeepLeast(std::vector<EdgeGuess>& guesses, std::size_t count)
     {
         if (guesses.size() <= count) return;
-        // Many are equal where it is flat: neighbours, of which only one can collapse, should not be preferred.
+        // Many are equal where it is flat: neighbours, of which only one can collapse, should not be
+        // preferred.
         const auto mixed = [](const EdgeGuess& guess) {
             return std::uint64_t{MixedBits(guess.a + MixedBits(guess.b))} << 32 | guess.a;
         };

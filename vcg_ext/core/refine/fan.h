@@ -26,8 +26,8 @@ namespace vcg_ext
 
 /// A face of a fan: between its center and an edge of the rim.
 struct FanFace {
-    std::uint32_t face;           ///< of the simplified surface, where it is one of them already
-    std::uint32_t next, previous; ///< the edge of the rim
+    std::uint32_t face;                ///< of the simplified surface, where it is one of them already
+    std::uint32_t next, previous;      ///< the edge of the rim
     Vector3<float> toNext, toPrevious; ///< its ends, seen from the fan's origin
     Vector3<float> normal;             ///< unit, of the face that it takes the place of
     PreparedTriangle<float> triangle;  ///< seen from the center that was measured last

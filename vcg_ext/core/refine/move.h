@@ -52,8 +52,7 @@ class VertexMover
     bool Move(std::uint32_t v)
     {
         const SampleSummary summary = SummarizeStar(v);
-        const float negligible =
-            state_.gainFactor * kMinMoveGainOfMean * state_.meanSquare * summary.weight;
+        const float negligible = state_.gainFactor * kMinMoveGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count < kMinSamples || !(summary.weight > 0) || summary.energy < negligible) return false;
         Gather(v);
         EquationSums sums;

@@ -120,15 +120,15 @@ constexpr float kMinFoldCosine = -0.2F;
 
 // Exchanges: an edge collapses where that costs least, and pays for a new vertex where that gains most
 
-/// Rounds of [exchanges; flips; two passes of moves]; exchanges are in the first ones only. Four rounds of them
-/// gain 3.6 %, six nearly all of the 3.8 % of twelve.
+/// Rounds of [exchanges; flips; two passes of moves]; exchanges are in the first ones only. Four rounds of
+/// them gain 3.6 %, six nearly all of the 3.8 % of twelve.
 constexpr int kRounds = 8, kExchangeRounds = 6;
 /// A round that lowers the mean squared distance by less than this part is the last one.
 constexpr double kMinRoundGain = 0.004;
 /// x what flips and moves must gain, after each round.
 constexpr float kGainDecay = 0.7F;
-/// The part of the edges that is measured as a collapse, and as a place for a new vertex; a quarter takes four
-/// times as long and gains nothing.
+/// The part of the edges that is measured as a collapse, and as a place for a new vertex; a quarter takes
+/// four times as long and gains nothing.
 constexpr double kMeasuredEdges = 0.06;
 /// The new vertex must gain this x what the collapse costs, in energy of the samples; moves earn the rest. .8
 /// to 1.05 do the same.
@@ -139,8 +139,8 @@ constexpr double kMaxExchanges = 0.05;
 constexpr std::size_t kMaxFanFaces = 24;
 /// As kMinMoveQuality, for every face that an exchange makes.
 constexpr float kMinExchangeQuality = 0.01F;
-/// Squared distances backward of an exchange, by weight, may be this many times those of the samples before and
-/// after: a spike shows there.
+/// Squared distances backward of an exchange, by weight, may be this many times those of the samples before
+/// and after: a spike shows there.
 constexpr double kMaxBackwardRatio = 3;
 /// Steps from the minimum of the planes; and what pulls that to the middle of the edge, of the mean of the
 /// diagonal.
@@ -161,16 +161,16 @@ constexpr double kWorstStars = 0.02;
 constexpr int kWorstTurns = 16;
 /// x rms; stars nearer than this are good enough.
 constexpr float kWorstDistance = 2;
-/// By how much the largest distance must fall, and how much the star's energy may rise: of itself, and of rms^2
-/// x the weight of its samples.
+/// By how much the largest distance must fall, and how much the star's energy may rise: of itself, and of
+/// rms^2 x the weight of its samples.
 constexpr float kMinWorstGain = 0.005F;
 constexpr double kWorstPrice = 0.03;
 /// A step is this part of what would bring the farthest point to the other surface; it is halved until it is
 /// shorter than the second part of it.
 constexpr float kWorstStep = 0.5F, kSmallestWorstStep = 0.025F;
 constexpr int kWorstTrials = 12;
-/// Squared distances backward of more than this x the larger of rms^2 and the largest one forward are searched
-/// for among all faces of the original: a walk can end at a hole or in a fold.
+/// Squared distances backward of more than this x the larger of rms^2 and the largest one forward are
+/// searched for among all faces of the original: a walk can end at a hole or in a fold.
 constexpr float kDoubtful = 2;
 
 /// Vertices that one thread works on at a time: few enough to share the work evenly, many enough that few

@@ -74,9 +74,10 @@ class ActiveVertices
         ParallelRanges(threads, isActive_.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto v = static_cast<std::uint32_t>(i);
-                const bool isNear = std::any_of(BeginCorners(surface, v), EndCorners(surface, v), [&](Corner c) {
-                    return hasChanged(NextVertex(surface, c)) || hasChanged(PreviousVertex(surface, c));
-                });
+                const bool isNear =
+                    std::any_of(BeginCorners(surface, v), EndCorners(surface, v), [&](Corner c) {
+                        return hasChanged(NextVertex(surface, c)) || hasChanged(PreviousVertex(surface, c));
+                    });
                 isActive_[v] = hasChanged(v) || isNear;
             }
         });

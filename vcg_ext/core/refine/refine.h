@@ -90,8 +90,8 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         MakeRoomForCorners(simplified, kExchangeRoom);
     else if (parameters.flip)
         MakeRoomForCorners(simplified, kFlipRoom);
-    RefinementState state = BeginRefinement(
-        original, simplified, root, threads, parameters.exchange ? kFeatureShareOfBest : kFeatureShare);
+    RefinementState state = BeginRefinement(original, simplified, root, threads,
+                                            parameters.exchange ? kFeatureShareOfBest : kFeatureShare);
     report.samples = state.samples.samples.size();
     report.rmsBefore = report.rmsAfter = std::sqrt(MeanSquare(state.samples));
     const double faceSize = FaceSize(simplified);

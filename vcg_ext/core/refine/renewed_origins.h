@@ -86,8 +86,8 @@ class FreeOrigins
         if (IsFace(place)) return place & ~kFacePlace;
         return original_.cornerCount[place] > 0 ? FaceOf(*BeginCorners(original_, place)) : kNone;
     }
-    /// Calls visit(input face) for the faces around \p place, ring by ring, as long as it returns true; not for
-    /// more than so many.
+    /// Calls visit(input face) for the faces around \p place, ring by ring, as long as it returns true; not
+    /// for more than so many.
     template <class Visit>
     void ForEachFaceAround(SurfacePlace place, const Visit& visit)
     {
@@ -114,8 +114,7 @@ inline void RenameRenewed(const MeshView& input, const RenewedPlaces& renewed, C
     FreeOrigins free(input, surface);
     for (const RenewedPlace& v : renewed.vertices) free.FreeVertex(surface.vertexOrigin[v.element]);
     for (const RenewedPlace& f : renewed.faces) free.FreeFace(surface.faceOrigin[f.element]);
-    for (const RenewedPlace& v : renewed.vertices)
-        surface.vertexOrigin[v.element] = free.TakeVertex(v.place);
+    for (const RenewedPlace& v : renewed.vertices) surface.vertexOrigin[v.element] = free.TakeVertex(v.place);
     for (const RenewedPlace& f : renewed.faces) surface.faceOrigin[f.element] = free.TakeFace(f.place);
 }
 

@@ -47,9 +47,8 @@ inline RenewedPlaces PlacesOfRenewed(const RefinementState& state)
     return places;
 }
 
-/// Rounds of exchanges, flips and moves; from the second one on flips and moves only near what has changed. They
-/// end where a round gains little.
-/// \param reached called with the number of rounds done; may throw
+/// Rounds of exchanges, flips and moves; from the second one on flips and moves only near what has changed.
+/// They end where a round gains little. \param reached called with the number of rounds done; may throw
 template <class Reached>
 void RefineInRounds(RefinementState& state, int threads, RefinementReport& report, const Reached& reached)
 {
@@ -77,7 +76,10 @@ void RefineInRounds(RefinementState& state, int threads, RefinementReport& repor
             std::fill(state.changed.begin(), state.changed.end(), std::uint8_t{0});
             report.moves += MoveVertices(state, threads, active);
             ++report.sweeps;
-            if (sweep > 0) active.Update(surface, state.changed, kMovedLately, threads); else update();
+            if (sweep > 0)
+                active.Update(surface, state.changed, kMovedLately, threads);
+            else
+                update();
         }
         const double before = std::exchange(meanSquare, MeanSquare(state.samples));
         if (!(meanSquare < before * (1 - kMinRoundGain))) break;

@@ -17,8 +17,8 @@
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/per_thread.h"
 
-// The last pass: the stars that hold the largest distances, a few at a time, the worst ones first. Those of one
-// turn share no face, so that the outcome does not depend on the number of threads.
+// The last pass: the stars that hold the largest distances, a few at a time, the worst ones first. Those of
+// one turn share no face, so that the outcome does not depend on the number of threads.
 
 namespace vcg_ext
 {
@@ -66,8 +66,8 @@ class WorstStarMover
         for (int trial = 0; trial < kWorstTrials && length > kSmallestWorstStep; ++trial) {
             const Vector3<float> tried = x + length * best.step;
             const Fan::Distances now = Measure(tried, tree);
-            const bool isBetter = now.largest2 < (1 - kMinWorstGain) * best.largest2 && now.energy < allowed &&
-                                  fan_.KeepsFaces() && !fan_.FacesAway();
+            const bool isBetter = now.largest2 < (1 - kMinWorstGain) * best.largest2 &&
+                                  now.energy < allowed && fan_.KeepsFaces() && !fan_.FacesAway();
             if (!isBetter) {
                 length /= 2;
                 continue;
