@@ -132,10 +132,8 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
     parameters.measureError = values.Boolean("measure_error");
-    if (parameters.maxError > 0 &&
-        (parameters.order == vcg_ext::Order::Strict || parameters.effort == vcg_ext::Effort::Best))
-        throw std::invalid_argument("max_error = " + NumberText(parameters.maxError) +
-                                    " needs order sweeps, and effort fast or balanced");
+    if (parameters.maxError > 0 && parameters.order == vcg_ext::Order::Strict)
+        throw std::invalid_argument("max_error = " + NumberText(parameters.maxError) + " needs order sweeps");
     const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
                                   parameters.maxError > 0};
     return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {

@@ -22,21 +22,17 @@ struct MeshDecimationParameters : DecimationParameters {
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
 };
 
-/// Simplify, for every order and effort. Effort Best measures what every collapse would change, which only
-/// the queue can order: it runs in strict order whatever the order asked for. An error bound is kept by the
-/// sweeps alone.
+/// Simplify, for both orders. An error bound is kept by the sweeps alone.
 /// \throws as Simplify
 inline Simplification Decimate(const MeshView& view, const DecimationParameters& parameters)
 {
-    if (parameters.order == Order::Sweeps && parameters.effort != Effort::Best)
-        return Simplify(view, parameters);
+    if (parameters.order == Order::Sweeps) return Simplify(view, parameters);
     CheckParameters(parameters);
     CheckMesh(view);
     if (parameters.maxError > 0)
         throw std::invalid_argument("max_error = " + std::to_string(parameters.maxError) +
-                                    " needs order sweeps, and effort fast or balanced");
-    PipelineStages stages;
-    stages.refine = parameters.effort != Effort::Fast;
+                                    " needs order sweeps");
+    PipelineStages stages = StagesOf(parameters.effort);
     stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;
     return RunPipeline(view, parameters, stages,
                        [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {

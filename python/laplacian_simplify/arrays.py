@@ -21,7 +21,6 @@ _MOST_VERTICES, _MOST_FACES = 2**30 - 1, 2**29 - 1
 
 # Parameters of the filter that have no meaning for arrays, or values that need VCG: what helps then.
 _MESH_SETS_ONLY: dict[str, tuple[int, ...]] = {
-    "effort": (2,),
     "order": (1,),
     "descriptor": (2, 3),
     "new_layer": (1,),

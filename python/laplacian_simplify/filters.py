@@ -107,7 +107,7 @@ def simplify(
         max_error: no point of either surface is farther than this from the other, in percent of the diagonal of the
             bounding box; with a target, whichever comes first, without one as few faces as it allows. 0: no bound.
         feature_weight: lambda, 0 to 50: 0 plain decimation, 2 (default) ahead of it everywhere, 4 to 8 features first.
-        effort: geometry against time: fast, balanced (default) or best; best for mesh sets and files only.
+        effort: geometry against time: fast, balanced (default) or best.
         descriptor: what tells features from the rest; curvatures for mesh sets and files only.
         boundary: open borders are free, preserved (default) or locked.
         preserve_topology: keep every handle, hole and component.

@@ -40,7 +40,7 @@ struct laplacian_simplify_parameters {
     std::uint64_t target_faces; ///< of the whole mesh, at least 1
     double max_error;           ///< percent of the bounding box's diagonal, [0, 100]; 0: no bound
     double feature_weight;      ///< [0, 50]
-    std::int32_t effort;        ///< 0 fast, 1 balanced; 2, best, needs VCG's queue and is refused
+    std::int32_t effort;        ///< 0 fast, 1 balanced, 2 best
     std::int32_t descriptor;
     std::int32_t boundary; ///< 0 free, 1 preserve, 2 lock
     std::int32_t preserve_topology;

@@ -28,7 +28,6 @@ FLANGE = SAMPLE_MESHES / "flange.ply"
         (("--max-error", "101%"), "--max-error 101 is outside [0, 100]"),
         (("--max-error", "-1"), "--max-error -1 is outside (0, "),
         (("--max-error", "small"), "invalid error_bound value: 'small'"),
-        (("--max-error", "1%", "--effort", "best"), "--max-error 1 needs order sweeps"),
         (("--percent", "5", "--feature-weight", "-1"), "--feature-weight -1 is outside [0, 50]"),
         (("--percent", "5", "--effort", "huge"), "invalid choice: 'huge'"),
         (("--percent", "5", "--no-such-option"), "unrecognized arguments: --no-such-option"),

@@ -20,7 +20,7 @@ enum class Boundary {
 enum class Effort {
     Fast,     ///< collapse only
     Balanced, ///< collapse, then refine
-    Best      ///< collapse in the order of the measured error, then refine
+    Best      ///< and exchange vertices between places, then mend the worst ones
 };
 
 /// Collapse algorithm.
@@ -45,7 +45,7 @@ struct DecimationParameters {
     bool measureError = true; ///< fill DecimationReport::distances
     Progress progress;        ///< may be empty
 
-    // For meshes that are simplified in parts. The queue (order strict, effort best) knows none of these.
+    // For meshes that are simplified in parts. Order strict knows none of these.
     double costLimit = 0; ///< no collapse costs more: area times squared distance, weighted as in Eq. 6, in
                           ///< the mesh's unit of length to the fourth power; 0: no limit
     double descriptorScale = 0; ///< of CollapseTrace, for l of Eq. 6; 0: the mesh's own

@@ -24,6 +24,7 @@
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/refine/refine.h"
+#include "vcg_ext/core/refine/renewed_origins.h"
 #include "vcg_ext/core/repair/repair_folds.h"
 
 namespace vcg_ext
@@ -65,6 +66,7 @@ inline void CheckMesh(const MeshView& view)
 /// What is done with a collapsed surface, and when: percent of the time, roughly.
 struct PipelineStages {
     bool refine = true;
+    bool exchange = false; ///< RefinementParameters::exchange; under a bound more passes of moves instead
     bool repairFolds = true;
     int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 95;
@@ -91,6 +93,9 @@ inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surf
     return mesh;
 }
 
+/// Passes of moves for effort best where a bound has to hold: an exchange could not be taken back by itself.
+constexpr int kBoundedSweeps = 8;
+
 /// Refines the surface where that is asked for, and takes it as a mesh.
 inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface,
                                  const PipelineStages& stages, int threads, const StageProgress& progress)
@@ -102,7 +107,10 @@ inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface
     refinement.threads = threads;
     refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
     refinement.flip = !before; // moves can be taken back one by one
-    Refine(surface.original, surface.simplified, surface.root, refinement);
+    refinement.exchange = stages.exchange && !before;
+    if (stages.exchange && before) refinement.moveSweeps = kBoundedSweeps;
+    const RefinementReport report = Refine(surface.original, surface.simplified, surface.root, refinement);
+    RenameRenewed(view, report.renewed, surface);
     DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
     if (before) stages.bound->TakeBack(mesh, *before);
     return mesh;
@@ -200,11 +208,18 @@ struct SweepCollapse {
     }
 };
 
+inline PipelineStages StagesOf(Effort effort)
+{
+    PipelineStages stages;
+    stages.refine = effort != Effort::Fast;
+    stages.exchange = effort == Effort::Best;
+    return stages;
+}
+
 /// The sweep engine from a mesh to its report.
 inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
-    PipelineStages stages;
-    stages.refine = parameters.effort != Effort::Fast;
+    PipelineStages stages = StagesOf(parameters.effort);
     if (!stages.refine) stages.collapseEnds = stages.repairBegins;
     std::optional<BoundKeeper> bound;
     if (parameters.maxError > 0)
@@ -219,16 +234,16 @@ inline Simplification RunSweeps(const MeshView& view, const DecimationParameters
 ///     parameters.targetFaces = 1000;
 ///     const auto [mesh, report] = vcg_ext::Simplify(view, parameters);
 ///
-/// \throws std::invalid_argument as CheckParameters and CheckMesh, and where order or effort need VCG's
-///         queue, which only vcg_ext/decimate.h has; std::length_error for 2^29 faces and more;
+/// \throws std::invalid_argument as CheckParameters and CheckMesh, and where the order needs VCG's queue,
+///         which only vcg_ext/decimate.h has; std::length_error for 2^29 faces and more;
 ///         std::bad_alloc
 /// \pre indices of the view are below its vertexCount
 inline Simplification Simplify(const MeshView& view, const DecimationParameters& parameters)
 {
     CheckParameters(parameters);
     CheckMesh(view);
-    if (parameters.order == Order::Strict || parameters.effort == Effort::Best)
-        throw std::invalid_argument("order = strict and effort = best need vcg_ext/decimate.h");
+    if (parameters.order == Order::Strict)
+        throw std::invalid_argument("order = strict needs vcg_ext/decimate.h");
     return RunSweeps(view, parameters);
 }
 

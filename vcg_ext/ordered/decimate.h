@@ -21,7 +21,6 @@
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/guided.h"
-#include "vcg_ext/ordered/measured.h"
 #include "vcg_ext/ordered/mesh.h"
 #include "vcg_ext/ordered/queue.h"
 #include "vcg_ext/ordered/weighted.h"
@@ -76,7 +75,7 @@ void CheckLength(const std::vector<Value>& values, const MeshView& view, const c
 
 } // namespace ordered_detail
 
-/// Decimates by the guided collapse in the order of its cost, or of measured error where the effort is Best.
+/// Decimates by the guided collapse in the order of its cost.
 /// \throws Cancelled \pre finite coordinates, indices below vertexCount, parameters in their ranges
 inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationParameters& parameters,
                                          const StageProgress& progress = {})
@@ -87,16 +86,11 @@ inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationP
     guided.boundary = parameters.boundary;
     guided.preserveTopology = parameters.preserveTopology;
     guided.fixedVertices = mesh.FixedVertices(parameters.boundary);
-    const auto decimated = [&](auto method) {
-        std::vector<float> descriptor = method.Descriptor();
-        auto decimation =
-            ordered_detail::Decimated(mesh, std::move(method), parameters.targetFaces, progress);
-        decimation.descriptor = std::move(descriptor);
-        return decimation;
-    };
-    if (parameters.effort == Effort::Best)
-        return decimated(MeasuredCollapse<OrderedMesh>(mesh.mesh(), std::move(guided)));
-    return decimated(GuidedCollapse<OrderedMesh>(mesh.mesh(), std::move(guided)));
+    GuidedCollapse<OrderedMesh> method(mesh.mesh(), std::move(guided));
+    std::vector<float> descriptor = method.Descriptor();
+    auto decimation = ordered_detail::Decimated(mesh, std::move(method), parameters.targetFaces, progress);
+    decimation.descriptor = std::move(descriptor);
+    return decimation;
 }
 
 /// Weight of every vertex's quadric after Li and He (2010), |k1| + |k2|, from mean and Gaussian curvature:

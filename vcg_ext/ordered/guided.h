@@ -145,12 +145,12 @@ class GuidedCollapse
         return EdgeCost(a, b, half, IsFixed(kept) ? half : OptimalOffset(a, b, half), DistanceAreaNow());
     }
 
-    std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept, double)
+    std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept)
     {
         std::optional<Placed> placed = BestPlace(removed, kept);
         if (!placed && !IsFixed(kept)) placed = CheapestOther(EndOf(removed), EndOf(kept));
         if (!placed) return std::nullopt;
-        return CollapseAssessment{placed->cost, placed->position, true, placed->atA};
+        return CollapseAssessment{placed->cost, placed->position, placed->atA};
     }
 
     bool IsLegal(VertexType& removed, VertexType& kept)

@@ -24,7 +24,6 @@ namespace vcg_ext
 struct CollapseAssessment {
     double cost;
     Vector3d placement;        ///< in the method's own frame
-    bool isFinal;              ///< false: a lower bound; only where it exceeds what was affordable
     bool removedStays = false; ///< the placement is where the vertex that was to go is: that one survives
 };
 
@@ -85,11 +84,8 @@ class QueuedCollapse
         VertexType& removed = *this->pos.V(0);
         VertexType& kept = *this->pos.V(1);
         const bool changed = run.HasChangedSince(removed, kept, this->localMark);
-        if (!isFinal_ || changed) {
-            // Asked again in the same surroundings it has to answer in full, or two entries of equal priority
-            // could send each other back for ever.
-            const double affordable = isAssessed_ && !changed ? DBL_MAX : run.AffordableCost();
-            const auto assessment = run.method().Assess(removed, kept, affordable);
+        if (!isAssessed_ || changed) {
+            const auto assessment = run.method().Assess(removed, kept);
             isAssessed_ = true;
             if (!assessment) {
                 run.Refuse(removed, kept);
@@ -97,9 +93,8 @@ class QueuedCollapse
             }
             placement_ = assessment->placement;
             removedStays_ = assessment->removedStays;
-            isFinal_ = assessment->isFinal;
             priority_ = std::max(priority_, Run::Priority(assessment->cost));
-            if (!isFinal_ || priority_ > run.NextPriority()) {
+            if (priority_ > run.NextPriority()) {
                 this->localMark = run.now();
                 run.Requeue(*this);
                 return false;
@@ -140,8 +135,7 @@ class QueuedCollapse
     float priority_;
     Vector3d placement_{};
     bool removedStays_ = false;
-    bool isAssessed_ = false; ///< at least a lower bound has been asked for
-    bool isFinal_ = false;
+    bool isAssessed_ = false;
 };
 
 /// A run of vcg::LocalOptimization over a mesh: its queue, clock and refused pairs.
@@ -150,7 +144,7 @@ class QueuedCollapse
 /// - `bool IsDirected()`: a into b and b into a differ;
 /// - `bool MayGo(removed, kept)`: whether one may be merged into the other at all, whatever lies around them;
 /// - `double Estimate(removed, kept)`: cheap, at most what Assess will say or not much more;
-/// - `std::optional<CollapseAssessment> Assess(removed, kept, affordable)`: nothing where it is refused;
+/// - `std::optional<CollapseAssessment> Assess(removed, kept)`: nothing where it is refused;
 /// - `bool IsLegal(removed, kept)`: topology;
 /// - `bool BeginLastResort()`: no legal collapse is left; true if from now on more are;
 /// - `CoordType Merge(removed, kept, placement)`: its books; returns the survivor's position in the mesh;
@@ -232,9 +226,6 @@ class CollapseRun : public vcg::BaseParameterClass
 
     /// The priority of the entry behind the one that has come up.
     float NextPriority() const { return optimization_.h.empty() ? FLT_MAX : optimization_.h.front().pri; }
-
-    /// The cost up to which the entry that has come up is still the cheapest.
-    double AffordableCost() const { return static_cast<double>(NextPriority()); }
 
     bool HasChangedSince(const VertexType& removed, const VertexType& kept, int time) const
     {

@@ -163,7 +163,7 @@ class WeightedCollapse
     /// Prices are computed when an entry comes up.
     static double Estimate(const VertexType&, const VertexType&) { return 0; }
 
-    std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept, double)
+    std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept)
     {
         Surround(removed, kept);
         const std::optional<CollapseError> error = function_.body(edge_);
@@ -172,7 +172,7 @@ class WeightedCollapse
         const double l =
             edge_.keptStays ? DescriptorOf(from) : std::max(DescriptorOf(from), DescriptorOf(into));
         return CollapseAssessment{error->value * std::exp(parameters_.featureWeight * l),
-                                  error->placement + positions_[from], true};
+                                  error->placement + positions_[from]};
     }
 
     bool IsLegal(VertexType& removed, VertexType& kept) { return legality_.StaysManifold(removed, kept); }

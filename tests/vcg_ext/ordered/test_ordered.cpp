@@ -147,8 +147,6 @@ class TestOrdered : public QObject
     void twoRunsGiveTheSameBytes();
     void weightMovesFacesToFeatures();
     void theTipOfAFoldKnowsItsOutline();
-    void measuredOrderLowersTheError();
-    void measuredErrorIsTheDistanceOfTheSamples();
     void stopsWhenProgressSaysSo();
     void ignoresDegenerateFacesAndIsolatedVertices();
     void runsOnFloatMeshes() { runsInPlaceOn<FloatMesh>(); }
@@ -163,7 +161,6 @@ void TestOrdered::turnsNoFaceByMoreThan78Degrees()
     const std::size_t target =
         std::max<std::size_t>(1, mesh.triangles.size() * static_cast<std::size_t>(percent) / 100);
     QVERIFY((smallestTurnCosine<GuidedCollapse<DoubleMesh>>(mesh, target) >= double{kTurnCosine} - 1e-9));
-    QVERIFY((smallestTurnCosine<MeasuredCollapse<DoubleMesh>>(mesh, target) >= double{kTurnCosine} - 1e-9));
 }
 
 void TestOrdered::addsNoDefect()
@@ -173,18 +170,13 @@ void TestOrdered::addsNoDefect()
     const std::size_t target =
         std::max<std::size_t>(1, mesh.triangles.size() * static_cast<std::size_t>(percent) / 100);
     const Defects before = FindDefects(mesh);
-    for (const Effort effort : {Effort::Fast, Effort::Best}) {
-        DecimationParameters parameters;
-        parameters.effort = effort;
-        const OrderedDecimation decimation = Decimated(mesh, target, parameters);
-        const Defects after = FindDefects(ResultOf(decimation));
-        QVERIFY(after.nonManifoldEdges <= before.nonManifoldEdges);
-        QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
-        QCOMPARE(after.duplicateFaces, 0);
-        QCOMPARE(after.degenerateFaces, 0);
-        QCOMPARE(decimation.mesh.stopReason == StopReason::Target,
-                 decimation.mesh.triangles.size() <= target);
-    }
+    const OrderedDecimation decimation = Decimated(mesh, target);
+    const Defects after = FindDefects(ResultOf(decimation));
+    QVERIFY(after.nonManifoldEdges <= before.nonManifoldEdges);
+    QVERIFY(after.nonManifoldFans <= before.nonManifoldFans);
+    QCOMPARE(after.duplicateFaces, 0);
+    QCOMPARE(after.degenerateFaces, 0);
+    QCOMPARE(decimation.mesh.stopReason == StopReason::Target, decimation.mesh.triangles.size() <= target);
 }
 
 void TestOrdered::linkConditionKeepsTheTopology()
@@ -248,21 +240,17 @@ void TestOrdered::boxKeepsItsCorners()
 void TestOrdered::flatPartsAndStraightCreasesKeepTheirPlaces()
 {
     const IndexedMesh box = Moved(Box(12), 1, .3, {.1, .2, .3});
-    for (const Effort effort : {Effort::Fast, Effort::Best}) {
-        DecimationParameters parameters;
-        parameters.effort = effort;
-        const DecimatedMesh result = Decimated(box, 1200, parameters).mesh; // of 1728
-        std::size_t kept = 0;
-        for (std::size_t v = 0; v < result.positions.size(); ++v) {
-            const auto there = std::find(box.points.begin(), box.points.end(), result.positions[v]);
-            if (there == box.points.end()) continue;
-            ++kept;
-            // The vertex that was there is the one that has survived.
-            QCOMPARE(result.vertexOrigin[v], static_cast<std::uint32_t>(there - box.points.begin()));
-        }
-        // Few edges have no end at which all faces of the ring, which are in rows, keep an area.
-        QVERIFY(kept > result.positions.size() * 95 / 100);
+    const DecimatedMesh result = Decimated(box, 1200).mesh; // of 1728
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < result.positions.size(); ++v) {
+        const auto there = std::find(box.points.begin(), box.points.end(), result.positions[v]);
+        if (there == box.points.end()) continue;
+        ++kept;
+        // The vertex that was there is the one that has survived.
+        QCOMPARE(result.vertexOrigin[v], static_cast<std::uint32_t>(there - box.points.begin()));
     }
+    // Few edges have no end at which all faces of the ring, which are in rows, keep an area.
+    QVERIFY(kept > result.positions.size() * 95 / 100);
 }
 
 void TestOrdered::doesNotDependOnSizeAndPlace()
@@ -337,20 +325,17 @@ void TestOrdered::closesHolesOnlyWhereTheTargetNeedsIt()
     IndexedMesh mesh = Icosphere(3);
     mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4); // two holes: with both of them
     mesh.triangles.resize(mesh.triangles.size() - 4);                         // six faces are the fewest
-    for (const auto effort : {Effort::Fast, Effort::Best}) {
-        DecimationParameters parameters;
-        parameters.effort = effort;
-        QVERIFY(FindDefects(ResultOf(Decimated(mesh, 100, parameters))).borderEdges > 0);
-        const OrderedDecimation closed = Decimated(mesh, 4, parameters);
-        QCOMPARE(closed.mesh.stopReason, StopReason::Target);
-        const auto defects = FindDefects(ResultOf(closed));
-        QVERIFY(defects.borderEdges <= 3);
-        QCOMPARE(defects.nonManifoldEdges + defects.nonManifoldFans + defects.duplicateFaces, 0);
-        parameters.preserveTopology = true;
-        const OrderedDecimation open = Decimated(mesh, 1, parameters);
-        QCOMPARE(open.mesh.stopReason, StopReason::NoLegalCollapse);
-        QVERIFY(FindDefects(ResultOf(open)).borderEdges > 0);
-    }
+    DecimationParameters parameters;
+    QVERIFY(FindDefects(ResultOf(Decimated(mesh, 100, parameters))).borderEdges > 0);
+    const OrderedDecimation closed = Decimated(mesh, 4, parameters);
+    QCOMPARE(closed.mesh.stopReason, StopReason::Target);
+    const auto defects = FindDefects(ResultOf(closed));
+    QVERIFY(defects.borderEdges <= 3);
+    QCOMPARE(defects.nonManifoldEdges + defects.nonManifoldFans + defects.duplicateFaces, 0);
+    parameters.preserveTopology = true;
+    const OrderedDecimation open = Decimated(mesh, 1, parameters);
+    QCOMPARE(open.mesh.stopReason, StopReason::NoLegalCollapse);
+    QVERIFY(FindDefects(ResultOf(open)).borderEdges > 0);
 }
 
 void TestOrdered::twoRunsGiveTheSameBytes()
@@ -403,58 +388,6 @@ void TestOrdered::theTipOfAFoldKnowsItsOutline()
         for (const double inPlane : {planes.xx, planes.yy}) // two faces, one edge; the weight is a float
             QVERIFY(std::abs(inPlane / (.7 * 2 * kSide2) - 1) < 1e-6);
     }
-}
-
-void TestOrdered::measuredOrderLowersTheError()
-{
-    // Root mean square height of a rippled sheet's vertices over the result, seen along z.
-    IndexedMesh sheet = Grid(50, 50, .1);
-    for (Point& p : sheet.points) p[2] = .2 * std::sin(3 * p[0]) * std::cos(2 * p[1] + p[0]);
-    const auto error = [&](Effort effort) {
-        DecimationParameters parameters;
-        parameters.effort = effort;
-        const IndexedMesh result = ResultOf(Decimated(sheet, 500, parameters));
-        double sum = 0;
-        for (const Point& p : sheet.points) {
-            double nearest = 1;
-            for (const Triangle& t : result.triangles) {
-                const auto corner = [&](std::size_t k) {
-                    const Point& q = result.points[t[k]];
-                    return Vector3<float>{float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
-                };
-                const Vector3<float> a = corner(0);
-                nearest = std::min(
-                    nearest,
-                    double(ClosestOnTriangle(Vector3<float>{} - a, corner(1) - a, corner(2) - a).distance2));
-            }
-            sum += nearest;
-        }
-        return std::sqrt(sum / double(sheet.points.size()));
-    };
-    const double guided = error(Effort::Fast), measured = error(Effort::Best);
-    QVERIFY2(measured < guided, qPrintable(QString("%1 instead of %2").arg(measured).arg(guided)));
-}
-
-void TestOrdered::measuredErrorIsTheDistanceOfTheSamples()
-{
-    // A square of four triangles whose middle goes up by .5: the samples around know how far.
-    const Vector3d corners[] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, middle{0, 0, 0};
-    MeasuredSamples samples(4);
-    std::vector<StarFace> faces;
-    for (std::uint32_t f = 0; f < 4; ++f) {
-        samples.AddCentroid(f, middle, corners[f], corners[(f + 1) % 4], 1);
-        faces.push_back({corners[f], corners[(f + 1) % 4], {0, 0, std::sqrt(2)}, f});
-    }
-    samples.AddVertex(0, middle, 4);
-    const Vector3d up{0, 0, .5};
-    samples.Gather({0, 1, 2, 3}, up);
-    // The middle and the centroids, two thirds inwards, see planes that rise .5 over a length of 1.
-    const double cosine2 = 1 / (1 + .25);
-    const double expected = (.4 * 4 * .25 + .6 * 4 * (.25 / 9)) * cosine2;
-    QVERIFY(std::abs(samples.ChangeOfError(faces, up) - expected) < 1e-5 * expected);
-    samples.Attach({0, 1, 2, 3}, faces);
-    samples.Gather({0, 1, 2, 3}, middle);
-    QVERIFY(std::abs(samples.ChangeOfError(faces, middle) + expected) < 1e-5 * expected);
 }
 
 void TestOrdered::stopsWhenProgressSaysSo()

@@ -36,11 +36,10 @@ struct Result {
     }
 };
 
-Result Ordered(const IndexedMesh& mesh, Effort effort)
+Result Ordered(const IndexedMesh& mesh)
 {
     DecimationParameters parameters;
     parameters.targetFaces = mesh.triangles.size() / 5;
-    parameters.effort = effort;
     parameters.order = Order::Strict;
     parameters.threads = 1; // the threads are those of the test
     return Result(Decimate(View(mesh), parameters).mesh);
@@ -69,8 +68,7 @@ class TestThreads : public QObject
         const std::vector<IndexedMesh> meshes{Noisy(Icosphere(3), .02), Noisy(Torus(40, 20), .02)};
         std::vector<std::function<Result()>> runs;
         for (const IndexedMesh& mesh : meshes) {
-            runs.emplace_back([&mesh] { return Ordered(mesh, Effort::Balanced); });
-            runs.emplace_back([&mesh] { return Ordered(mesh, Effort::Best); });
+            runs.emplace_back([&mesh] { return Ordered(mesh); });
             runs.emplace_back([&mesh] { return Weighted(mesh); });
         }
         std::vector<Result> expected;

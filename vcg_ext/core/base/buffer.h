@@ -137,6 +137,8 @@ class Scratch
     std::size_t size() const { return size_; }
     T* begin() { return values_.data(); }
     T* end() { return values_.data() + size_; }
+    const T* begin() const { return values_.data(); }
+    const T* end() const { return values_.data() + size_; }
     T& operator[](std::size_t i) { return values_[i]; }
     const T& operator[](std::size_t i) const { return values_[i]; }
 };

@@ -32,15 +32,10 @@ inline bool AreNeighbours(const SurfaceArrays& surface, std::uint32_t v, std::ui
                        [&](Corner c) { return HasVertex(surface.triangles[FaceOf(c)], w); });
 }
 
-/// The edge between \p v and \p w, if it has exactly two faces of opposite direction with different third
-/// corners, and may go: an edge between fixed vertices stays, and with it every face that has no other
-/// corners. None is made between fixed vertices that other meshes share. That c and d are not neighbours is
-/// left to the caller.
-inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
-                                                      std::uint32_t w)
+/// The edge between \p v and \p w, if it has exactly two faces of opposite direction.
+inline std::optional<FlippableEdge> FindInnerEdge(const SurfaceArrays& surface, std::uint32_t v,
+                                                  std::uint32_t w)
 {
-    constexpr std::uint32_t kMinFaces = 3; // around a vertex that has lost one
-    if (surface.flags[v] & surface.flags[w] & kFixedVertex) return std::nullopt;
     if (surface.cornerCount[v] > surface.cornerCount[w]) std::swap(v, w);
     int leaving = 0, arriving = 0;
     Corner out = 0, in = 0;
@@ -55,18 +50,30 @@ inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surfa
         }
     }
     if (leaving != 1 || arriving != 1) return std::nullopt;
-    const FlippableEdge edge{out,
-                             MakeCorner(FaceOf(in), kPreviousIndex[IndexOf(in)]),
-                             v,
-                             w,
-                             PreviousVertex(surface, out),
-                             NextVertex(surface, in)};
-    if (surface.sharedSeams && (surface.flags[edge.c] & surface.flags[edge.d] & kFixedVertex))
+    return FlippableEdge{out,
+                         MakeCorner(FaceOf(in), kPreviousIndex[IndexOf(in)]),
+                         v,
+                         w,
+                         PreviousVertex(surface, out),
+                         NextVertex(surface, in)};
+}
+
+/// The same, if its faces have different third corners and it may go: an edge between fixed vertices stays,
+/// and with it every face that has no other corners. None is made between fixed vertices that other meshes
+/// share. That c and d are not neighbours is left to the caller.
+inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
+                                                      std::uint32_t w)
+{
+    constexpr std::uint32_t kMinFaces = 3; // around a vertex that has lost one
+    if (surface.flags[v] & surface.flags[w] & kFixedVertex) return std::nullopt;
+    const std::optional<FlippableEdge> edge = FindInnerEdge(surface, v, w);
+    if (!edge) return std::nullopt;
+    if (surface.sharedSeams && (surface.flags[edge->c] & surface.flags[edge->d] & kFixedVertex))
         return std::nullopt;
     const auto full = [&](std::uint32_t u) { return surface.cornerCount[u] >= CornerCapacity(surface, u); };
-    const bool may = edge.c != edge.d && surface.cornerCount[v] > kMinFaces &&
-                     surface.cornerCount[w] > kMinFaces && !full(edge.c) && !full(edge.d);
-    return may ? std::optional(edge) : std::nullopt;
+    const bool may = edge->c != edge->d && surface.cornerCount[v] > kMinFaces &&
+                     surface.cornerCount[w] > kMinFaces && !full(edge->c) && !full(edge->d);
+    return may ? edge : std::nullopt;
 }
 
 /// \pre the edge is as FindFlippableEdge found it, and c and d are not neighbours

@@ -131,10 +131,11 @@ inline void PutInPlace(Buffer<Sample>& samples, Buffer<std::uint32_t>& place)
 /// Samples of \p original attached to the faces of \p simplified. Lists hop through memory, so the samples of
 /// a face are put side by side: that halves the time of every later pass.
 inline SampleLists AttachSamples(const SurfaceArrays& original, const SurfaceArrays& simplified,
-                                 const Buffer<std::uint32_t>& root, int threads)
+                                 const Buffer<std::uint32_t>& root, int threads,
+                                 float featureShare = kFeatureShare)
 {
     Buffer<Sample> located =
-        LocateSamples(simplified, SampleDrawer(original, simplified, root, threads), threads);
+        LocateSamples(simplified, SampleDrawer(original, simplified, root, threads, featureShare), threads);
     SearchFarSamples(simplified, located, threads);
     SampleLists lists;
     lists.faces.Allocate(simplified.FaceCount());

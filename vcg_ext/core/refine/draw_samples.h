@@ -72,6 +72,7 @@ class SampleDrawer
     SamplePlan plan_;
     SampleShares shares_;
     float importantDescriptor_; ///< the one of kFeatureQuantile; 0: none is important
+    float featureShare_;
     std::size_t groups_;
     int threads_;
     Buffer<float> area_;               // of the original's faces
@@ -80,11 +81,12 @@ class SampleDrawer
 
   public:
     /// \param root a vertex of \p simplified for every vertex of \p original, kNone where there is none
+    /// \param featureShare as kFeatureShare
     SampleDrawer(const SurfaceArrays& original, const SurfaceArrays& simplified,
-                 const Buffer<std::uint32_t>& root, int threads)
+                 const Buffer<std::uint32_t>& root, int threads, float featureShare = kFeatureShare)
         : original_(original), simplified_(simplified), root_(root), plan_(PlanSamples(original, simplified)),
           shares_(plan_.Shares()), importantDescriptor_(ImportantDescriptor(original)),
-          groups_(simplified.VertexCount()), threads_(threads)
+          featureShare_(featureShare), groups_(simplified.VertexCount()), threads_(threads)
     {
         MeasureAreas();
         GroupItems();
@@ -193,7 +195,7 @@ class SampleDrawer
     {
         if (!(importantDescriptor_ > 0)) return 0;
         const float l = 0.5F * std::log(weight) / importantDescriptor_;
-        return kFeatureShare * std::min(1.0F, l * l);
+        return featureShare_ * std::min(1.0F, l * l);
     }
     /// The quantile of the descriptors, from an even sample of the vertices.
     static float ImportantDescriptor(const SurfaceArrays& surface)

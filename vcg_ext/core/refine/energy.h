@@ -22,6 +22,12 @@
 namespace vcg_ext
 {
 
+/// What has happened to a vertex lately.
+enum VertexChange : std::uint8_t {
+    kMovedLately = 1,
+    kNewFaces = 2 ///< by a flip or an exchange
+};
+
 /// What all passes share. Hints are places of the original, kNone where nothing is known yet.
 struct RefinementState {
     const SurfaceArrays& original;
@@ -33,6 +39,19 @@ struct RefinementState {
     float farthest2 = std::numeric_limits<float>::max(); ///< of the samples, before the first change
     std::uint32_t blockVertices = kBlockVertices;
 
+    float gainFactor = 1;           ///< of what flips and moves must gain
+    float valenceWeight = 0;        ///< kValenceWeight of now
+    Buffer<std::uint8_t> changed{}; ///< VertexChange of every vertex; empty: nobody asks
+    Buffer<float>
+        backward2{}; ///< largest squared distance backward of each star when it was measured last; or empty
+    struct Renewed {
+        Buffer<std::uint8_t> vertices{}, faces{};
+    } renewed{}; ///< not 0: an exchange has put them to another place
+
+    void MarkChanged(std::uint32_t v, VertexChange change)
+    {
+        if (!changed.empty()) changed[v] = static_cast<std::uint8_t>(changed[v] | change);
+    }
     /// No change may bring a point farther than this, squared, unless it was before.
     float Tolerable2() const
     {

@@ -64,12 +64,25 @@ class EdgeFlipper
         SampleSummary summary;
         summary.Add(state_.samples.faces[edge_.First()]);
         summary.Add(state_.samples.faces[edge_.Second()]);
-        const float needed = kMinFlipGainOfMean * state_.meanSquare * summary.weight;
-        if (summary.count == 0 || summary.energy < needed) return false;
+        const float needed = state_.gainFactor * kMinFlipGainOfMean * state_.meanSquare * summary.weight;
+        const float price = state_.valenceWeight * state_.meanSquare * summary.weight * ValenceChange();
+        if (summary.count == 0 || summary.energy < needed + price) return false;
         if (!ShapeAllows() || AreNeighbours(state_.simplified, edge_.c, edge_.d)) return false;
-        if (!SavesEnergy(static_cast<double>(needed))) return false;
+        if (!SavesEnergy(static_cast<double>(needed), static_cast<double>(price))) return false;
         Accept();
         return true;
+    }
+
+    /// Of the sum of (faces - 6)^2, at a border 3, over the four vertices.
+    float ValenceChange() const
+    {
+        constexpr float kRegular = 6, kRegularAtBorder = 3;
+        const SurfaceArrays& s = state_.simplified;
+        const auto excess = [&](std::uint32_t v) {
+            return static_cast<float>(s.cornerCount[v]) -
+                   (s.flags[v] & kBorderVertex ? kRegularAtBorder : kRegular);
+        };
+        return 2 * (excess(edge_.c) + excess(edge_.d) - excess(edge_.a) - excess(edge_.b)) + 4;
     }
 
     /// Fills shape_. Would the new faces be sound, and face where the old ones faced?
@@ -94,8 +107,8 @@ class EdgeFlipper
         return std::min(s.after[0].quality, s.after[1].quality) >= std::min(kMinFlipQuality, oldQuality);
     }
 
-    /// Leaves the samples' new distances and owners.
-    bool SavesEnergy(double needed)
+    /// Leaves the samples' new distances and owners. \param price what must be saved beside; may be negative
+    bool SavesEnergy(double needed, double price)
     {
         const float tolerable2 = state_.Tolerable2();
         groups_.Clear();
@@ -104,12 +117,14 @@ class EdgeFlipper
         float old2 = 0, new2 = 0;
         double before = 0, after = 0;
         MeasureForward(before, after, old2, new2);
-        if (after > before || new2 > std::max(old2, tolerable2)) return false;
+        if ((after > before && !(price < 0)) || new2 > std::max(old2, tolerable2)) return false;
         const BackwardEnergy oldBackward = Backward(
             Vector3<float>{}, shape_.b, shape_.c, shape_.d, shape_.before,
             kBackwardOutlier * std::max(old2, state_.meanSquare), std::numeric_limits<double>::max());
         before += oldBackward.energy;
-        const double allowed = std::min(before * static_cast<double>(1 - kMinFlipGain), before - needed);
+        const double allowed =
+            std::min(before * static_cast<double>(1 - state_.gainFactor * kMinFlipGain), before - needed) -
+            price;
         if (after >= allowed) return false;
         const BackwardEnergy newBackward =
             Backward(shape_.c, shape_.d, Vector3<float>{}, shape_.b, shape_.after,
@@ -156,6 +171,7 @@ class EdgeFlipper
     {
         const std::array<std::uint32_t, 2> faces{edge_.First(), edge_.Second()};
         FlipEdge(state_.simplified, edge_);
+        for (const std::uint32_t v : {edge_.a, edge_.b, edge_.c, edge_.d}) state_.MarkChanged(v, kNewFaces);
         for (const std::uint32_t face : faces) {
             state_.centroidHints[face] = kNone;
             for (int k = 0; k < 3; ++k) state_.edgeHints[EdgeHint(MakeCorner(face, k))] = kNone;

@@ -52,17 +52,18 @@ class VertexMover
     bool Move(std::uint32_t v)
     {
         const SampleSummary summary = SummarizeStar(v);
-        const float negligible = kMinMoveGainOfMean * state_.meanSquare * summary.weight;
+        const float negligible = state_.gainFactor * kMinMoveGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count < kMinSamples || !(summary.weight > 0) || summary.energy < negligible) return false;
         Gather(v);
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
+        if (!state_.backward2.empty()) state_.backward2[v] = before.backward2;
         const NormalEquations equations = sums.Total();
         const std::optional<Vector3<float>> best = SolveStep(equations, Regularization(before.sum));
         if (!best) return false;
         Vector3<float> step = Clipped(*best);
-        const double gain =
-            std::max(before.sum * static_cast<double>(kMinMoveGain), static_cast<double>(negligible));
+        const double gain = std::max(before.sum * static_cast<double>(state_.gainFactor * kMinMoveGain),
+                                     static_cast<double>(negligible));
         if (static_cast<double>(Dot(equations.right, step)) < gain) return false;
         for (int trial = 0; trial < kStepTrials; ++trial, step = 0.5F * step) {
             if (!Try(step, before, before.sum - gain) || FoldsFace()) continue;
@@ -210,6 +211,7 @@ class VertexMover
         point.z += step.z;
         auto& flags = state_.simplified.flags[v];
         flags = static_cast<std::uint8_t>(flags | kMovedVertex);
+        state_.MarkChanged(v, kMovedLately);
         StoreSamples(state_.samples, groups_, star_.size(), [&](std::size_t i) { return star_[i].face; });
     }
 };

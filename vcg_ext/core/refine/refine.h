@@ -16,9 +16,10 @@
 #include "vcg_ext/core/mesh/vertex_blocks.h"
 #include "vcg_ext/core/refine/attach_samples.h"
 #include "vcg_ext/core/refine/energy.h"
-#include "vcg_ext/core/refine/flip.h"
-#include "vcg_ext/core/refine/move.h"
 #include "vcg_ext/core/refine/parameters.h"
+#include "vcg_ext/core/refine/passes.h"
+#include "vcg_ext/core/refine/rounds.h"
+#include "vcg_ext/core/refine/worst_stars.h"
 
 namespace vcg_ext
 {
@@ -47,11 +48,12 @@ inline Buffer<SurfacePlace> NoHints(std::size_t size)
 
 /// The samples attached to the faces and how far they are, and no hints.
 inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArrays& simplified,
-                                       const Buffer<std::uint32_t>& root, int threads)
+                                       const Buffer<std::uint32_t>& root, int threads,
+                                       float featureShare = kFeatureShare)
 {
     RefinementState state{original,
                           simplified,
-                          AttachSamples(original, simplified, root, threads),
+                          AttachSamples(original, simplified, root, threads, featureShare),
                           NoHints(simplified.VertexCount()),
                           NoHints(simplified.FaceCount()),
                           NoHints(3 * simplified.FaceCount())};
@@ -60,61 +62,6 @@ inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArr
     for (const Sample& sample : state.samples.samples)
         state.farthest2 = std::max(state.farthest2, sample.distance2);
     return state;
-}
-
-/// One object of scratch per thread, and what each of them counted.
-template <class Tool>
-class PerThread
-{
-    struct alignas(64) Slot {
-        Tool tool;
-        std::size_t count = 0;
-        explicit Slot(RefinementState& state) : tool(state) {}
-    };
-    std::vector<Slot> slots_;
-
-  public:
-    PerThread(RefinementState& state, int threads)
-    {
-        slots_.reserve(static_cast<std::size_t>(threads));
-        for (int i = 0; i < threads; ++i) slots_.emplace_back(state);
-    }
-    Slot& operator[](int thread) { return slots_[static_cast<std::size_t>(thread)]; }
-    std::size_t Count() const
-    {
-        std::size_t sum = 0;
-        for (const Slot& slot : slots_) sum += slot.count;
-        return sum;
-    }
-};
-
-/// One pass of flips over all edges. Returns how many there were.
-inline std::size_t FlipEdges(RefinementState& state, int threads)
-{
-    PerThread<EdgeFlipper> flippers(state, threads);
-    const SurfaceArrays& surface = state.simplified;
-    const auto hasFaces = [&](std::uint32_t v) { return surface.cornerCount[v] > 0; };
-    ForEachStarWithEdges(surface, state.blockVertices, threads, hasFaces, [&](std::uint32_t v, int thread) {
-        auto& slot = flippers[thread];
-        slot.count += slot.tool.FlipAround(v);
-    });
-    return flippers.Count();
-}
-
-/// One pass of moves over all vertices that may move. Returns how many did.
-inline std::size_t MoveVertices(RefinementState& state, int threads)
-{
-    constexpr std::uint32_t kMinFaces = 3;
-    PerThread<VertexMover> movers(state, threads);
-    const SurfaceArrays& surface = state.simplified;
-    const auto mayMove = [&](std::uint32_t v) {
-        return surface.cornerCount[v] >= kMinFaces && !(surface.flags[v] & (kBorderVertex | kFixedVertex));
-    };
-    ForEachStar(surface, state.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
-        auto& slot = movers[thread];
-        if (slot.tool.Move(v)) ++slot.count;
-    });
-    return movers.Count();
 }
 
 /// Moves the vertices and flips the edges of a simplified surface so that the weighted squared distance
@@ -139,8 +86,12 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     const int threads = ResolveThreads(parameters.threads);
     const auto reached = [&](int percent) { parameters.progress(percent, "Refining"); };
     reached(0);
-    if (parameters.flip) MakeRoomForCorners(simplified, kFlipRoom);
-    RefinementState state = BeginRefinement(original, simplified, root, threads);
+    if (parameters.exchange)
+        MakeRoomForCorners(simplified, kExchangeRoom);
+    else if (parameters.flip)
+        MakeRoomForCorners(simplified, kFlipRoom);
+    RefinementState state = BeginRefinement(original, simplified, root, threads,
+                                            parameters.exchange ? kFeatureShareOfBest : kFeatureShare);
     report.samples = state.samples.samples.size();
     report.rmsBefore = report.rmsAfter = std::sqrt(MeanSquare(state.samples));
     const double faceSize = FaceSize(simplified);
@@ -149,6 +100,14 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         return report;
 
     reached(20);
+    if (parameters.exchange) {
+        RefineInRounds(state, threads, report, [&](int rounds) { reached(20 + 70 * rounds / kRounds); });
+        reached(90);
+        report.worst = ImproveWorstStars(state, TreeOf(original, threads), threads);
+        report.renewed = PlacesOfRenewed(state);
+        report.rmsAfter = std::sqrt(MeanSquare(state.samples));
+        return report;
+    }
     if (parameters.flip) report.flips = FlipEdges(state, threads);
     for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
         reached(40 + 60 * sweep / parameters.moveSweeps);
