@@ -124,7 +124,7 @@ constexpr float kMinFoldCosine = -0.2F;
 /// them gain 3.6 %, six nearly all of the 3.8 % of twelve.
 constexpr int kRounds = 8, kExchangeRounds = 6;
 /// A round that lowers the mean squared distance by less than this part is the last one.
-constexpr double kMinRoundGain = 0.008;
+constexpr double kMinRoundGain = 0.006;
 /// x what flips and moves must gain, after each round.
 constexpr float kGainDecay = 0.7F;
 /// The part of the edges that is measured as a collapse, and as a place for a new vertex; a quarter takes
