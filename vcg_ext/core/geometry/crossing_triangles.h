@@ -116,7 +116,8 @@ inline Interval Extent(const ExactPoint& axis, const ExactTriangle& t, const Exa
     Interval extent{};
     for (std::size_t k = first; k < 3; ++k) {
         const double at = Dot(axis, t[k] - origin);
-        extent = k == first ? Interval{at, at} : Interval{std::min(extent.low, at), std::max(extent.high, at)};
+        extent =
+            k == first ? Interval{at, at} : Interval{std::min(extent.low, at), std::max(extent.high, at)};
     }
     return extent;
 }
@@ -130,11 +131,11 @@ inline bool IsBetween(const Pair& pair, const ExactPoint& axis)
     double reach = 0;
     for (const ExactTriangle* t : {&pair.s, &pair.t})
         for (const ExactPoint& p : *t)
-            reach = std::max({reach, std::abs(p.x - origin.x), std::abs(p.y - origin.y),
-                              std::abs(p.z - origin.z)});
-    const double error =
-        kErrorBound * reach * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
-    const Interval s = Extent(axis, pair.s, origin, pair.shared), t = Extent(axis, pair.t, origin, pair.shared);
+            reach = std::max(
+                {reach, std::abs(p.x - origin.x), std::abs(p.y - origin.y), std::abs(p.z - origin.z)});
+    const double error = kErrorBound * reach * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
+    const Interval s = Extent(axis, pair.s, origin, pair.shared),
+                   t = Extent(axis, pair.t, origin, pair.shared);
     if (pair.shared == 0) return s.low > t.high + error || t.low > s.high + error;
     return (s.low > error && t.high < -error) || (t.low > error && s.high < -error);
 }

@@ -152,8 +152,8 @@ inline int Orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoin
     const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
     if (std::abs(left - right) > kErrorBound * (std::abs(left) + std::abs(right)))
         return SignOf(left - right);
-    return Minor(Difference::Minus(b.x, a.x), Difference::Minus(c.y, a.y),
-                 Difference::Minus(b.y, a.y), Difference::Minus(c.x, a.x))
+    return Minor(Difference::Minus(b.x, a.x), Difference::Minus(c.y, a.y), Difference::Minus(b.y, a.y),
+                 Difference::Minus(c.x, a.x))
         .Sign();
 }
 
