@@ -55,9 +55,9 @@ IndexedMesh TwoSheets()
     for (Point& p : sheet.points) p[2] = 4 * std::sin(p[0] / 6) * std::cos(p[1] / 7);
     return Merged(sheet, Moved(sheet, 0, 1, {0, 0, 0.3}));
 }
-IndexedMesh TwoSpheres()
+IndexedMesh TwoSpheres(int levels)
 {
-    return Merged(Icosphere(4), Moved(Icosphere(4), 0.3, 1, {0.4, 0.1, 0}));
+    return Merged(Icosphere(levels), Moved(Icosphere(levels), 0.3, 1, {0.4, 0.1, 0}));
 }
 IndexedMesh Soup()
 {
@@ -112,7 +112,7 @@ class TestCrossings : public QObject
     {
         QFETCH(int, threads);
         for (const IndexedMesh& mesh :
-             {Soup(), TwoSpheres(), Merged(Grid(9, 9), Moved(Grid(9, 9), 0, 1, {0.5, 0.25, 0}))}) {
+             {Soup(), TwoSpheres(2), Merged(Grid(9, 9), Moved(Grid(9, 9), 0, 1, {0.5, 0.25, 0}))}) {
             const auto pairs = AllPairs(mesh);
             QVERIFY(pairs.size() > 50);
             QVERIFY(CrossingsOf(mesh, threads) == pairs);
@@ -155,7 +155,7 @@ class TestCrossings : public QObject
     void noMoreCrossThanBefore()
     {
         QFETCH(Effort, effort);
-        const IndexedMesh mesh = TwoSpheres();
+        const IndexedMesh mesh = TwoSpheres(4);
         const std::size_t before = CrossingsOf(mesh).size();
         for (const double percent : {50.0, 10.0, 2.0}) {
             const Simplification result = Simplify(View(mesh), Percent(mesh, percent, effort));

@@ -58,32 +58,40 @@ class ExactFaces
 namespace find_crossings_detail
 {
 
-/// Adds the pairs of a face of \p leaf with one of the same leaf or a later one.
-inline void AddCrossingsOfLeaf(const FaceTree& tree, const ExactFaces& exact, std::size_t leaf,
-                               std::vector<CrossingPair>& found)
-{
-    const LeafFaces faces = tree.FacesOfLeaf(leaf);
+/// A leaf with the boxes of its faces, and the box around them.
+struct Leaf {
+    LeafFaces faces;
     Box3<float> around = EmptyBox<float>();
-    for (std::size_t i = 0; i < faces.count; ++i) {
-        around.Add(faces.BoxOf(i).low);
-        around.Add(faces.BoxOf(i).high);
-    }
-    around.Grow(kBoxMargin);
-    tree.ForEachLeafNear(around, leaf, [&](std::size_t other) {
-        const LeafFaces others = other == leaf ? faces : tree.FacesOfLeaf(other);
+
+    explicit Leaf(const LeafFaces& of) : faces(of)
+    {
         for (std::size_t i = 0; i < faces.count; ++i) {
-            Box3<float> box = faces.BoxOf(i);
-            box.Grow(kBoxMargin);
-            int met = 0;
-            for (std::size_t four = 0; four < others.fours; ++four)
-                met |= LaneBits(others.boxes[four].Meet(box)) << (kLanes * four);
-            for (std::size_t k = other == leaf ? i + 1 : 0; k < others.count; ++k) {
-                if ((met >> k & 1) == 0) continue;
-                const std::uint32_t f = faces.faces[i], g = others.faces[k];
-                if (TrianglesCross(exact[f], exact[g])) found.emplace_back(std::min(f, g), std::max(f, g));
-            }
+            around.Add(faces.BoxOf(i).low);
+            around.Add(faces.BoxOf(i).high);
         }
-    });
+    }
+};
+
+/// Adds the pairs of a face of \p leaf with one of \p other; of each pair once where both are the same.
+inline void AddCrossingsOf(const Leaf& leaf, const Leaf& other, const ExactFaces& exact,
+                           std::vector<CrossingPair>& found)
+{
+    const bool isSame = &leaf == &other;
+    for (std::size_t i = 0; i < leaf.faces.count; ++i) {
+        Box3<float> box = leaf.faces.BoxOf(i);
+        box.Grow(kBoxMargin);
+        if (!box.Meets(other.around)) continue;
+        unsigned met = 0;
+        for (std::size_t four = 0; four < other.faces.fours; ++four)
+            met |= static_cast<unsigned>(LaneBits(other.faces.boxes[four].Meet(box))) << (kLanes * four);
+        met &= (1U << other.faces.count) - 1;
+        if (isSame) met &= ~((2U << i) - 1);
+        for (std::size_t k = 0; met != 0; ++k, met >>= 1) {
+            if ((met & 1) == 0) continue;
+            const std::uint32_t f = leaf.faces.faces[i], g = other.faces.faces[k];
+            if (TrianglesCross(exact[f], exact[g])) found.emplace_back(std::min(f, g), std::max(f, g));
+        }
+    }
 }
 
 } // namespace find_crossings_detail
@@ -92,12 +100,21 @@ inline void AddCrossingsOfLeaf(const FaceTree& tree, const ExactFaces& exact, st
 /// \param tree of the view's faces \param threads used as they are \pre finite coordinates
 inline std::vector<CrossingPair> FindCrossings(const MeshView& view, const FaceTree& tree, int threads)
 {
+    using namespace find_crossings_detail;
     constexpr std::size_t kGrain = 64;
     const ExactFaces exact(view);
-    std::vector<std::vector<CrossingPair>> parts(tree.LeafCount() / kGrain + 1);
-    ParallelRanges(threads, tree.LeafCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t leaf = begin; leaf < end; ++leaf)
-            find_crossings_detail::AddCrossingsOfLeaf(tree, exact, leaf, parts[begin / kGrain]);
+    std::vector<Leaf> leaves;
+    leaves.reserve(tree.LeafCount());
+    for (std::size_t leaf = 0; leaf < tree.LeafCount(); ++leaf) leaves.emplace_back(tree.FacesOfLeaf(leaf));
+    std::vector<std::vector<CrossingPair>> parts(leaves.size() / kGrain + 1);
+    ParallelRanges(threads, leaves.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t leaf = begin; leaf < end; ++leaf) {
+            Box3<float> box = leaves[leaf].around;
+            box.Grow(kBoxMargin);
+            tree.ForEachLeafNear(box, leaf, [&](std::size_t other) {
+                AddCrossingsOf(leaves[leaf], leaves[other], exact, parts[begin / kGrain]);
+            });
+        }
     });
     std::vector<CrossingPair> found;
     for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
