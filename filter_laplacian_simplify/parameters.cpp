@@ -173,7 +173,7 @@ const std::vector<Parameter>& Parameters()
          "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
         {"avoid_self_intersections", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
          "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
-         "care; order \"strict\" and effort \"best\" only repair the result. What could not be kept is reported.", {}},
+         "care, which takes several times as long. What could not be kept is reported.", {}},
         {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
          "Keep the original and put the result in a new layer.", {}},
         {"measure_error", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Measure error",

@@ -37,6 +37,7 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
                                     " needs order sweeps, and effort fast or balanced");
     PipelineStages stages;
     stages.refine = parameters.effort != Effort::Fast;
+    stages.guardsCrossings = true;
     stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;
     return RunPipeline(view, parameters, stages,
                        [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {

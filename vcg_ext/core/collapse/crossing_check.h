@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/collapse/state.h"
 #include "vcg_ext/core/collapse/workspace.h"
-#include "vcg_ext/core/geometry/box.h"
 #include "vcg_ext/core/geometry/crossing_triangles.h"
 #include "vcg_ext/core/mesh/live_faces.h"
+#include "vcg_ext/core/mesh/star_crossings.h"
 
 namespace vcg_ext
 {
@@ -32,8 +33,6 @@ struct CollapseCrossings {
 /// Would the gathered collapse make faces cross?
 class CrossingCheck
 {
-    using Faces = std::vector<std::pair<ExactTriangle, Box3<float>>>;
-
     SweepState& state_;
     const StarScratch& star_;
     std::uint32_t removed_, survivor_;
@@ -51,22 +50,29 @@ class CrossingCheck
         for (std::uint32_t f = 0; f < state.faces.size(); ++f)
             if (state.faces[f].Alive()) alive.push_back(f);
         state.crossings->live.Build(std::move(alive), state.faces.size(),
-                                    [&](std::uint32_t f) { return BoxOf(state, f); });
+                                    [&](std::uint32_t f) { return Face(state, f).box; });
         state.crossings->isOpen = true;
     }
 
     /// Do more pairs of faces cross with the new vertex at \p placement than do now?
     bool MakesCrossings(const Vector3<float>& placement) const
     {
-        constexpr std::size_t kAll = ~std::size_t{0};
-        Faces after, before;
+        ExactStar after;
         for (std::uint32_t i = 0; i < star_.kept; ++i)
-            Add(after, placement, state_.Position(star_.next[i]), state_.Position(star_.previous[i]));
-        if (CountCrossings(after, 1) == 0) return false;
-        for (std::uint32_t i = 0; i < star_.kept; ++i) AddPresent(before, FaceOf(star_.corner[i]));
-        for (std::uint32_t i = 0; i < star_.dead; ++i) AddPresent(before, star_.deadFace[i]);
-        const std::size_t present = CountCrossings(before, kAll);
-        return present == 0 || CountCrossings(after, present + 1) > present;
+            after.push_back(
+                Triangle(placement, state_.Position(star_.next[i]), state_.Position(star_.previous[i])));
+        const auto before = [&] {
+            ExactStar present;
+            for (std::uint32_t i = 0; i < star_.kept; ++i)
+                present.push_back(Face(state_, FaceOf(star_.corner[i])));
+            for (std::uint32_t i = 0; i < star_.dead; ++i) present.push_back(Face(state_, star_.deadFace[i]));
+            return present;
+        };
+        std::optional<BoxedTriangle> other;
+        return vcg_ext::MakesCrossings(after, before, state_.crossings->live, [&](std::uint32_t face) {
+            if (!state_.faces[face].Alive() || IsInStar(face)) return static_cast<BoxedTriangle*>(nullptr);
+            return &other.emplace(Face(state_, face));
+        });
     }
 
     /// The collapse has happened: the boxes follow. \param survivor the vertex that is left
@@ -78,60 +84,28 @@ class CrossingCheck
         if (!crossings.isOpen) return;
         for (std::uint32_t i = 0; i < star.kept; ++i) {
             const std::uint32_t face = FaceOf(star.corner[i]);
-            crossings.live.Grow(face, BoxOf(state, face));
+            crossings.live.Grow(face, Face(state, face).box);
         }
     }
 
   private:
-    static Box3<float> BoxOf(const SweepState& state, std::uint32_t face)
+    static BoxedTriangle Triangle(const Vector3<float>& a, const Vector3<float>& b, const Vector3<float>& c)
     {
-        Box3<float> box = EmptyBox<float>();
-        for (const std::uint32_t v : state.faces[face].v) box.Add(state.Position(v));
-        return box;
+        const auto exact = [](const Vector3<float>& p) {
+            return ExactPoint{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+        };
+        return BoxedTriangle({exact(a), exact(b), exact(c)});
     }
-    static ExactPoint Exact(const Vector3<float>& p)
+    static BoxedTriangle Face(const SweepState& state, std::uint32_t face)
     {
-        return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-    }
-    static void Add(Faces& faces, const Vector3<float>& a, const Vector3<float>& b, const Vector3<float>& c)
-    {
-        Box3<float> box = EmptyBox<float>();
-        for (const Vector3<float>& p : {a, b, c}) box.Add(p);
-        faces.push_back({{Exact(a), Exact(b), Exact(c)}, box});
-    }
-    void AddPresent(Faces& faces, std::uint32_t face) const
-    {
-        const std::uint32_t* v = state_.faces[face].v;
-        Add(faces, state_.Position(v[0]), state_.Position(v[1]), state_.Position(v[2]));
+        const std::uint32_t* v = state.faces[face].v;
+        return Triangle(state.Position(v[0]), state.Position(v[1]), state.Position(v[2]));
     }
 
     bool IsInStar(std::uint32_t face) const
     {
-        for (const std::uint32_t v : state_.faces[face].v)
-            if (v == removed_ || v == survivor_) return true;
-        return false;
-    }
-
-    /// Pairs of faces of the star, and of one with one that stays as it is; \p enough where there are so
-    /// many.
-    std::size_t CountCrossings(const Faces& star, std::size_t enough) const
-    {
-        std::size_t count = 0;
-        Box3<float> around = EmptyBox<float>();
-        for (std::size_t i = 0; i < star.size() && count < enough; ++i) {
-            around.Add(star[i].second.low);
-            around.Add(star[i].second.high);
-            for (std::size_t k = 0; k < i; ++k) count += TrianglesCross(star[i].first, star[k].first);
-        }
-        Faces other;
-        state_.crossings->live.ForEachNear(around, [&](std::uint32_t face) {
-            if (count >= enough || !state_.faces[face].Alive() || IsInStar(face)) return;
-            other.clear();
-            AddPresent(other, face);
-            for (const auto& [triangle, box] : star)
-                if (box.Meets(other[0].second)) count += TrianglesCross(triangle, other[0].first);
-        });
-        return count;
+        const std::uint32_t* v = state_.faces[face].v;
+        return std::any_of(v, v + 3, [&](std::uint32_t w) { return w == removed_ || w == survivor_; });
     }
 };
 
