@@ -24,7 +24,8 @@ import pymeshlab
 import laplacian_simplify as ls
 
 
-def crossing_pairs(mesh: pymeshlab.Mesh) -> int:
+def crossing_pairs(mesh_set: pymeshlab.MeshSet) -> int:
+    mesh = mesh_set.current_mesh()
     points, index = np.unique(mesh.vertex_matrix(), axis=0, return_inverse=True)
     faces = np.sort(index.reshape(-1)[mesh.face_matrix()], axis=1)
     faces = np.unique(faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2])], axis=0)
@@ -34,7 +35,7 @@ def crossing_pairs(mesh: pymeshlab.Mesh) -> int:
     return len(found[2])
 
 
-def run(path: Path, percent: float, effort: str, avoid: bool) -> tuple[Any, float, pymeshlab.Mesh]:
+def run(path: Path, percent: float, effort: str, avoid: bool) -> tuple[Any, float, pymeshlab.MeshSet]:
     mesh_set: pymeshlab.MeshSet = ls.read_mesh(path)
     start = time.process_time()
     options = {"target_percent": percent, "effort": effort, "threads": 1, "avoid_self_intersections": avoid}
@@ -42,7 +43,7 @@ def run(path: Path, percent: float, effort: str, avoid: bool) -> tuple[Any, floa
     seconds = time.process_time() - start
     measured: pymeshlab.MeshSet = ls.read_mesh(path)
     report = ls.simplify(measured, **options)
-    return report, seconds, mesh_set.current_mesh()
+    return report, seconds, mesh_set
 
 
 def check(path: Path, percent: float, effort: str, before: int) -> bool:
@@ -67,7 +68,7 @@ def main() -> int:
     kept = True
     for path in options.meshes:
         mesh_set: pymeshlab.MeshSet = ls.read_mesh(path)
-        before = crossing_pairs(mesh_set.current_mesh())
+        before = crossing_pairs(mesh_set)
         for percent in options.percents.split(","):
             for effort in options.efforts.split(","):
                 kept &= check(path, float(percent), effort, before)
