@@ -138,9 +138,9 @@ class PipelineRun
     int threads_;
     std::optional<FaceTree> built_;
     std::vector<std::uint32_t> faceOrder_;
+    std::vector<float> descriptor_; ///< of the input's vertices; may be empty
 
   public:
-    std::vector<float> descriptor; ///< of the input's vertices; may be empty
     CollapseTrace trace;
 
     PipelineRun(const MeshView& view, const DecimationParameters& parameters, const PipelineStages& stages,
@@ -167,6 +167,16 @@ class PipelineRun
         return mesh;
     }
 
+    /// \pre there is a tree
+    DistanceReport Measure(const DecimatedMesh& mesh)
+    {
+        if (descriptor_.empty()) {
+            const std::vector<double> values = LaplacianDescriptor(view_, threads_);
+            descriptor_.assign(values.begin(), values.end());
+        }
+        return MeasureDistances(view_, *Tree(), mesh, descriptor_, kDistanceSamples, threads_);
+    }
+
   private:
     DecimatedMesh CollapsedAndRefined(const CrossingKeeper* guard, const StageProgress& progress)
     {
@@ -176,7 +186,7 @@ class PipelineRun
         DecimatedMesh mesh = RefinedMesh(view_, surface, stages_, guard, threads_, progress);
         trace = std::move(surface.trace);
         faceOrder_ = std::move(surface.faceOrder);
-        descriptor = std::move(surface.descriptor);
+        descriptor_ = std::move(surface.descriptor);
         return mesh;
     }
 };
@@ -229,15 +239,7 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
         if (stages.bound) report.certifiedError = stages.bound->CertifiedError();
         report.trace = std::move(run.trace);
         report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (parameters.measureError && run.Tree()) {
-            std::vector<float>& descriptor = run.descriptor;
-            if (descriptor.empty()) {
-                const std::vector<double> values = LaplacianDescriptor(view, threads);
-                descriptor.assign(values.begin(), values.end());
-            }
-            report.distances =
-                MeasureDistances(view, *run.Tree(), result.mesh, descriptor, kDistanceSamples, threads);
-        }
+        if (parameters.measureError && run.Tree()) report.distances = run.Measure(result.mesh);
     } catch (const Cancelled&) {
         result = {};
         result.mesh.stopReason = report.stopReason = StopReason::Cancelled;

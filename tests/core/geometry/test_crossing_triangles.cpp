@@ -125,6 +125,8 @@ class TestCrossingTriangles : public QObject
         QTest::newRow("corner just above")
             << flat << QVector<double>{1, 1, 1e-300, 1, 1, 1, 2, 1, 1} << false;
         QTest::newRow("in a plane, apart") << flat << QVector<double>{5, 0, 0, 9, 0, 0, 5, 4, 0} << false;
+        QTest::newRow("edges in a line, just apart")
+            << flat << QVector<double>{std::nextafter(4.0, 5.0), 0, 0, 8, 0, 0, 8, -4, 0} << false;
         QTest::newRow("in a plane, inside") << flat << QVector<double>{1, 1, 0, 2, 1, 0, 1, 2, 0} << true;
         QTest::newRow("in a plane, a star") << flat << QVector<double>{-1, 1, 0, 4, 1, 0, 1, -1, 0} << true;
         QTest::newRow("duplicates") << flat << QVector<double>{4, 0, 0, 0, 0, 0, 0, 4, 0} << false;

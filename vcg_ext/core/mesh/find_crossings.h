@@ -12,6 +12,7 @@
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/crossing_triangles.h"
+#include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 
@@ -20,9 +21,6 @@ namespace vcg_ext
 
 /// Two faces that cross, the smaller index first.
 using CrossingPair = std::pair<std::uint32_t, std::uint32_t>;
-
-/// In the frame: by how much boxes are taken for larger, so that rounding to single precision hides nothing.
-constexpr float kBoxMargin = 1e-3F;
 
 /// The corners of a mesh's faces for exact tests, in a unit in which all numbers are about 1: that only
 /// shifts their exponents.

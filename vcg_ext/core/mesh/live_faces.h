@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/float4.h"
@@ -35,13 +37,10 @@ class LiveFaces
         levels_.clear();
         for (std::size_t i = 0; i < faces_.size(); ++i)
             leafOf_[faces_[i]] = static_cast<std::uint32_t>(i / kFacesPerLeaf);
-        for (std::size_t nodes = (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; nodes > 0;
-             nodes = nodes == 1 ? 0 : nodes / kLanes + (nodes % kLanes != 0)) {
-            const Box3<float> empty = EmptyBox<float>();
-            levels_.emplace_back(nodes / kLanes + (nodes % kLanes != 0));
-            for (FourBoxes& boxes : levels_.back())
-                for (int lane = 0; lane < kLanes; ++lane) boxes.Put(lane, empty);
-            if (nodes <= kLanes) break;
+        const auto parents = [](std::size_t nodes) { return (nodes + kLanes - 1) / kLanes; };
+        for (std::size_t nodes = (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; nodes > 0;) {
+            levels_.emplace_back(parents(nodes), FourBoxes{EmptyBox<Float4>()});
+            nodes = nodes > kLanes ? parents(nodes) : 0;
         }
         for (const std::uint32_t face : faces_) Grow(face, boxOf(face));
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,25 +9,22 @@
 
 #include "vcg_ext/core/geometry/box.h"
 #include "vcg_ext/core/geometry/crossing_triangles.h"
+#include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/mesh/live_faces.h"
 
 namespace vcg_ext
 {
 
-/// A triangle of exact coordinates and a box in single precision that it is surely in.
+/// A triangle of exact coordinates in the frame, and a box in single precision that it is surely in.
 struct BoxedTriangle {
     ExactTriangle corners;
     Box3<float> box = EmptyBox<float>();
 
     explicit BoxedTriangle(const ExactTriangle& of) : corners(of)
     {
-        constexpr float kFar = std::numeric_limits<float>::max();
-        for (const ExactPoint& p : corners) {
-            const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -kFar); };
-            const auto up = [](double x) { return std::nextafter(static_cast<float>(x), kFar); };
-            box.Add({down(p.x), down(p.y), down(p.z)});
-            box.Add({up(p.x), up(p.y), up(p.z)});
-        }
+        for (const ExactPoint& p : corners)
+            box.Add({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+        box.Grow(kBoxMargin);
     }
 };
 
