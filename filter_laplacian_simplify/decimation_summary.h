@@ -32,6 +32,9 @@ inline Report ToReport(const vcg_ext::DecimationReport& decimation)
         report.SetCount("non_manifold_edges", decimation.edges.nonManifold);
         report.SetCount("boundary_edges", decimation.edges.boundary);
     }
+    if (decimation.selfIntersections) report.SetCount("self_intersections", *decimation.selfIntersections);
+    if (decimation.selfIntersectionsBefore)
+        report.SetCount("self_intersections_before", *decimation.selfIntersectionsBefore);
     if (decimation.certifiedError) report.Set("certified_error", *decimation.certifiedError);
     report.Set("seconds", decimation.seconds);
     return report;
@@ -56,6 +59,16 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
         return "canceled; the mesh is unchanged";
     }
     return {};
+}
+
+/// How many faces cross, and whether that is more than before.
+inline std::string CrossingsText(const vcg_ext::DecimationReport& decimation)
+{
+    const std::size_t before = decimation.selfIntersectionsBefore.value_or(0);
+    std::string text = "Pairs of faces that cross: " + CountText(*decimation.selfIntersections);
+    if (decimation.selfIntersectionsBefore) text += " (before: " + CountText(before) + ")";
+    if (*decimation.selfIntersections > before) text += "; not all of them could be avoided";
+    return text;
 }
 
 /// The numbers of a decimation as a few short lines for the log. They are plain ASCII, because hosts print
@@ -84,6 +97,7 @@ inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decima
                         "; folded faces: " + CountText(distances->folded));
     lines.push_back("Non-manifold edges: " + CountText(decimation.edges.nonManifold) +
                     ", boundary edges: " + CountText(decimation.edges.boundary));
+    if (decimation.selfIntersections) lines.push_back(CrossingsText(decimation));
     return lines;
 }
 

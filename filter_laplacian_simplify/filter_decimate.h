@@ -128,6 +128,7 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.effort = values.Choice<vcg_ext::Effort>("effort");
     parameters.boundary = values.Choice<vcg_ext::Boundary>("boundary");
     parameters.preserveTopology = values.Boolean("preserve_topology");
+    parameters.avoidSelfIntersections = values.Boolean("avoid_self_intersections");
     parameters.order = values.Choice<vcg_ext::Order>("order");
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");

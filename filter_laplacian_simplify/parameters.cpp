@@ -172,6 +172,9 @@ const std::vector<Parameter>& Parameters()
         {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
+        {"avoid_self_intersections", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
+         "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
+         "care, which takes several times as long. What could not be kept is reported.", {}},
         {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
          "Keep the original and put the result in a new layer.", {}},
         {"measure_error", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Measure error",

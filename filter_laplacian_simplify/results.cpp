@@ -63,6 +63,12 @@ const std::vector<Result>& Results()
          "Number of edges of the result with three or more faces; missing after a canceled run.", true},
         {"boundary_edges", {kGuided, kWeighted}, Type::Integer, "edges",
          "Number of edges of the result with one face; missing after a canceled run.", true},
+        {"self_intersections", {kGuided, kWeighted}, Type::Integer, "pairs of faces",
+         "Number of pairs of faces of the result that cross: that have a point in common beyond the corners and "
+         "edges that they share; missing without \"avoid_self_intersections\", after a canceled run, and if there "
+         "was nothing to decimate.", true},
+        {"self_intersections_before", {kGuided, kWeighted}, Type::Integer, "pairs of faces",
+         "The same number of the original; it is counted only if faces of the result crossed.", true},
         {"certified_error", {kGuided}, Type::Real, kPercent,
          "No point of either surface is farther than this from the other, which is proven; missing without "
          "\"max_error\", or if it could not be proven.", true},

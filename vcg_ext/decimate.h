@@ -33,6 +33,7 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
         throw std::invalid_argument("max_error = " + std::to_string(parameters.maxError) +
                                     " needs order sweeps");
     PipelineStages stages = StagesOf(parameters.effort);
+    stages.guardsCrossings = true;
     stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;
     return RunPipeline(view, parameters, stages,
                        [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {

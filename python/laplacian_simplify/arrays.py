@@ -85,6 +85,7 @@ def simplify_arrays(
         "descriptor",
         "boundary",
         "preserve_topology",
+        "avoid_self_intersections",
         "measure_error",
         "threads",
     )

@@ -41,6 +41,7 @@ class FileOptions(TypedDict, total=False):
     descriptor: Guidance | int | None
     boundary: Boundary | int | None
     preserve_topology: bool | None
+    avoid_self_intersections: bool | None
     measure_error: bool | None
     order: Order | int | None
     threads: int | None
@@ -80,6 +81,7 @@ def simplify(
     boundary: Boundary | int | None = None,
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
+    avoid_self_intersections: bool | None = None,
     new_layer: bool | None = None,
     measure_error: bool | None = None,
     order: Order | int | None = None,
@@ -112,6 +114,8 @@ def simplify(
         boundary: open borders are free, preserved (default) or locked.
         preserve_topology: keep every handle, hole and component.
         selected_only: only the selected faces are decimated; default where faces are selected.
+        avoid_self_intersections: no more faces cross each other than before (default); the report says so if that could
+            not be kept.
         new_layer: keep the original, the result becomes a new mesh of the set; for mesh sets and files only.
         measure_error: measure the distances for the report (default).
         order: sweeps, the parallel engine (default), or strict, VCG's own order; for mesh sets and files only.
@@ -145,6 +149,7 @@ def simplify(
         "boundary": boundary,
         "preserve_topology": preserve_topology,
         "selected_only": selected_only,
+        "avoid_self_intersections": avoid_self_intersections,
         "new_layer": new_layer,
         "measure_error": measure_error,
         "order": order,

@@ -47,6 +47,7 @@ class _Parameters(ctypes.Structure):
         ("descriptor", c_int32),
         ("boundary", c_int32),
         ("preserve_topology", c_int32),
+        ("avoid_self_intersections", c_int32),
         ("measure_error", c_int32),
         ("threads", c_int32),
         ("cost_limit", c_double),
@@ -76,6 +77,10 @@ class _Result(ctypes.Structure):
         ("rms", c_double),
         ("feature_rms", c_double),
         ("folded", c_uint64),
+        ("has_self_intersections", c_int32),
+        ("self_intersections", c_uint64),
+        ("has_self_intersections_before", c_int32),
+        ("self_intersections_before", c_uint64),
         ("has_certificate", c_int32),
         ("certified_error", c_double),
         ("seconds", c_double),
@@ -205,6 +210,8 @@ def _outcome(mesh: MeshArrays, result: _Result) -> Outcome:
     }
     names = [] if cancelled else ["non_manifold_edges", "boundary_edges"]
     names += ["hausdorff", "rms", "feature_rms", "folded"] if result.has_distances else []
+    names += ["self_intersections"] if result.has_self_intersections else []
+    names += ["self_intersections_before"] if result.has_self_intersections_before else []
     names += ["certified_error"] if result.has_certificate else []
     report |= {name: getattr(result, name) for name in names}
     return Outcome(

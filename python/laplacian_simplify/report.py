@@ -122,6 +122,10 @@ class DecimationReport(Report):
     rms: float | None = None
     feature_rms: float | None = None
     folded: int | None = None
+    self_intersections: int | None = None
+    """Pairs of faces that cross; None where they were not to be avoided."""
+    self_intersections_before: int | None = None
+    """The same of the original; None where no faces of the result crossed: then they were not counted."""
     certified_error: float | None = None
 
     def __post_init__(self) -> None:

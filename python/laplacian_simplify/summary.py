@@ -44,6 +44,10 @@ def _decimation(report: Mapping[str, Any]) -> list[str]:
     if "boundary_edges" in report:  # not after a run that was canceled
         checks.append(_count(report["non_manifold_edges"], "non-manifold edge"))
         checks.append(_count(report["boundary_edges"], "boundary edge"))
+    if "self_intersections" in report:
+        checks.append(_count(report["self_intersections"], "crossing"))
+        if "self_intersections_before" in report:
+            checks[-1] += f" (before: {report['self_intersections_before']:,})"
     if "folded" in report:
         checks.append(_count(report["folded"], "folded face"))
     return [*lines, "mesh      " + ", ".join(checks)]

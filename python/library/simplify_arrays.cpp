@@ -165,6 +165,7 @@ vcg_ext::DecimationParameters ToCore(const Parameters& given)
     parameters.effort = static_cast<vcg_ext::Effort>(given.effort);
     parameters.boundary = static_cast<vcg_ext::Boundary>(given.boundary);
     parameters.preserveTopology = given.preserve_topology != 0;
+    parameters.avoidSelfIntersections = given.avoid_self_intersections != 0;
     parameters.measureError = given.measure_error != 0;
     parameters.threads = given.threads;
     parameters.costLimit = given.cost_limit;
@@ -230,6 +231,10 @@ void Report(const vcg_ext::DecimationReport& report, Result& result)
     result.stop_reason = static_cast<std::int32_t>(report.stopReason);
     result.non_manifold_edges = report.edges.nonManifold;
     result.boundary_edges = report.edges.boundary;
+    result.has_self_intersections = report.selfIntersections.has_value();
+    result.self_intersections = report.selfIntersections.value_or(0);
+    result.has_self_intersections_before = report.selfIntersectionsBefore.has_value();
+    result.self_intersections_before = report.selfIntersectionsBefore.value_or(0);
     result.has_certificate = report.certifiedError.has_value();
     result.certified_error = report.certifiedError.value_or(0);
     result.has_distances = report.distances.has_value();

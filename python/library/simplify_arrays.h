@@ -44,6 +44,7 @@ struct laplacian_simplify_parameters {
     std::int32_t descriptor;
     std::int32_t boundary; ///< 0 free, 1 preserve, 2 lock
     std::int32_t preserve_topology;
+    std::int32_t avoid_self_intersections; ///< 1: no more faces cross than before
     std::int32_t measure_error;
     std::int32_t threads;    ///< 0: all; the result does not depend on it
     double cost_limit;       ///< no collapse costs more, in the mesh's unit of length^4; 0: no limit
@@ -76,6 +77,10 @@ struct laplacian_simplify_result {
     double rms;
     double feature_rms;
     std::uint64_t folded;
+    std::int32_t has_self_intersections;        ///< 0: they were not to be avoided
+    std::uint64_t self_intersections;           ///< pairs of faces that cross
+    std::int32_t has_self_intersections_before; ///< 0: none of the result did, so they were not counted
+    std::uint64_t self_intersections_before;
     std::int32_t has_certificate; ///< 0: there was no bound, or it could not be proven
     double certified_error;       ///< percent of the bounding box's diagonal
     double seconds;

@@ -207,7 +207,8 @@ class TestFilters : public QObject
 void TestFilters::returnsExactlyTheResultsOfItsTable()
 {
     QFETCH(FilterId, filter);
-    PlainHost host(test_meshes::Box(4));
+    const test_meshes::IndexedMesh box = test_meshes::Box(4);
+    PlainHost host(test_meshes::Merged(box, test_meshes::Moved(box, 0.3, 1, {0.4, 0.3, 0.2}))); // crossing
     QStringList expected, returned;
     for (const Result* row : ResultsOf(filter)) expected << row->id;
     std::map<std::string, GivenValue> values;

@@ -141,11 +141,13 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "refinement_floor",
                                                                          "class_as_quality"};
     QTest::addRow("guided") << FilterId::GuidedDecimation
-                            << QStringList{
-                                   "target_faces",  "target_percent", "max_error",     "feature_weight",
-                                   "effort",        "descriptor",     "boundary",      "preserve_topology",
-                                   "selected_only", "new_layer",      "measure_error", "order",
-                                   "threads"};
+                            << QStringList{"target_faces",  "target_percent",
+                                           "max_error",     "feature_weight",
+                                           "effort",        "descriptor",
+                                           "boundary",      "preserve_topology",
+                                           "selected_only", "avoid_self_intersections",
+                                           "new_layer",     "measure_error",
+                                           "order",         "threads"};
     QTest::addRow("weighted") << FilterId::WeightedDecimation
                               << QStringList{"error_function", "target_faces", "target_percent",
                                              "feature_weight", "descriptor",   "class_aware",
@@ -172,19 +174,22 @@ void TestTables::returnedKeysAreThoseOfTheContract_data()
     QTest::addRow("select") << FilterId::FeatureSelection
                             << QStringList{"thresholds", "centers",  "class_sizes",
                                            "promoted",   "selected", "seconds"};
-    QTest::addRow("guided") << FilterId::GuidedDecimation << QStringList{"faces_before",
-                                                                         "faces",
-                                                                         "vertices",
-                                                                         "target_reached",
-                                                                         "stop_reason",
-                                                                         "hausdorff",
-                                                                         "rms",
-                                                                         "feature_rms",
-                                                                         "folded",
-                                                                         "non_manifold_edges",
-                                                                         "boundary_edges",
-                                                                         "certified_error",
-                                                                         "seconds"};
+    QTest::addRow("guided") << FilterId::GuidedDecimation
+                            << QStringList{"faces_before",
+                                           "faces",
+                                           "vertices",
+                                           "target_reached",
+                                           "stop_reason",
+                                           "hausdorff",
+                                           "rms",
+                                           "feature_rms",
+                                           "folded",
+                                           "non_manifold_edges",
+                                           "boundary_edges",
+                                           "self_intersections",
+                                           "self_intersections_before",
+                                           "certified_error",
+                                           "seconds"};
 }
 
 void TestTables::returnedKeysAreThoseOfTheContract()

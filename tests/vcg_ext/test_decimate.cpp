@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -323,6 +324,34 @@ class TestDecimation : public QObject
             QVERIFY(result.report.faces >= 4); // a closed surface stays one
             QCOMPARE(result.report.edges.boundary, std::size_t{0});
         }
+    }
+
+    /// Two sheets so close to each other that coarse faces of one cut through the other, some of them locked.
+    void queueMakesNoFacesCross_data()
+    {
+        QTest::addColumn<Order>("order");
+        QTest::addColumn<Effort>("effort");
+        QTest::newRow("strict, fast") << Order::Strict << Effort::Fast;
+        QTest::newRow("strict, balanced") << Order::Strict << Effort::Balanced;
+        QTest::newRow("best") << Order::Sweeps << Effort::Best;
+    }
+    void queueMakesNoFacesCross()
+    {
+        QFETCH(Order, order);
+        QFETCH(Effort, effort);
+        test_meshes::IndexedMesh sheet = test_meshes::Grid(40, 40);
+        for (auto& p : sheet.points) p[2] = 3 * std::sin(p[0] / 5) * std::cos(p[1] / 6);
+        const auto mesh = test_meshes::Merged(sheet, test_meshes::Moved(sheet, 0, 1, {0, 0, 0.1}));
+        MeshDecimationParameters parameters = Target(96);
+        parameters.order = order;
+        parameters.effort = effort;
+        const MeshView view = test_meshes::View(mesh);
+        const auto crossings = [&] {
+            return CrossingKeeper(view, 1).Find(Decimate(view, parameters).mesh).size();
+        };
+        QCOMPARE(crossings(), std::size_t{0});
+        parameters.avoidSelfIntersections = false;
+        QVERIFY(crossings() > 0);
     }
 };
 

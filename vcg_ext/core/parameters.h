@@ -39,7 +39,8 @@ struct DecimationParameters {
     double featureWeight = 2; ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
     Effort effort = Effort::Balanced;
     Boundary boundary = Boundary::Preserve;
-    bool preserveTopology = false; ///< full link condition: handles and holes stay
+    bool preserveTopology = false;      ///< full link condition: handles and holes stay
+    bool avoidSelfIntersections = true; ///< no more faces cross each other than before
     Order order = Order::Sweeps;
     int threads = 0;          ///< 0: all; the result does not depend on it
     bool measureError = true; ///< fill DecimationReport::distances

@@ -16,6 +16,7 @@
 #include "vcg_ext/core/bound/bound_keeper.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
+#include "vcg_ext/core/crossings/crossing_keeper.h"
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/measure/report.h"
@@ -71,6 +72,7 @@ struct PipelineStages {
     int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 95;
     BoundKeeper* bound = nullptr; ///< what the stages have to keep; null: no bound
+    bool guardsCrossings = false; ///< the collapse can be run again, guarded where faces cross
 };
 
 constexpr std::size_t kDistanceSamples = 100000; ///< a side, beside all vertices
@@ -86,10 +88,10 @@ inline std::optional<FaceTree> TreeOf(const MeshView& original, const DecimatedM
 }
 
 /// The surface as the caller will have it.
-inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surface, const BoundKeeper* bound)
+inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surface)
 {
     DecimatedMesh mesh = ToMesh(view, surface);
-    if (bound) bound->Round(mesh);
+    RoundAsInput(view, mesh);
     return mesh;
 }
 
@@ -97,39 +99,127 @@ inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surf
 constexpr int kBoundedSweeps = 8;
 
 /// Refines the surface where that is asked for, and takes it as a mesh.
+/// \param crossings where the collapse was guarded against them; null: it was not
 inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface,
-                                 const PipelineStages& stages, int threads, const StageProgress& progress)
+                                 const PipelineStages& stages, const CrossingKeeper* crossings, int threads,
+                                 const StageProgress& progress)
 {
-    if (!stages.refine || surface.simplified.FaceCount() == 0) return ResultOf(view, surface, stages.bound);
-    std::optional<DecimatedMesh> before;
-    if (stages.bound) before = ResultOf(view, surface, stages.bound);
+    // Two who take moves back, each its own, might go round in circles.
+    const bool refine = stages.refine && surface.simplified.FaceCount() > 0 && !(stages.bound && crossings);
+    if (!refine) return ResultOf(view, surface);
+    std::optional<DecimatedMesh> before; // moves can be taken back one by one, flips cannot
+    if (stages.bound || crossings) before = ResultOf(view, surface);
     RefinementParameters refinement;
     refinement.threads = threads;
     refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
-    refinement.flip = !before; // moves can be taken back one by one
+    refinement.flip = !before;
     refinement.exchange = stages.exchange && !before;
     if (stages.exchange && before) refinement.moveSweeps = kBoundedSweeps;
     const RefinementReport report = Refine(surface.original, surface.simplified, surface.root, refinement);
     RenameRenewed(view, report.renewed, surface);
-    DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
-    if (before) stages.bound->TakeBack(mesh, *before);
+    DecimatedMesh mesh = ResultOf(view, surface);
+    if (stages.bound) stages.bound->TakeBack(mesh, *before);
+    if (crossings) crossings->TakeBack(mesh, *before);
     return mesh;
 }
 
 inline void RepairMesh(const MeshView& view, const FaceTree& tree, DecimatedMesh& mesh, Boundary boundary,
-                       BoundKeeper* bound, int threads, const StageProgress& progress)
+                       BoundKeeper* bound, const CrossingKeeper* crossings, int threads,
+                       const StageProgress& progress)
 {
     std::optional<DecimatedMesh> before;
-    if (bound) before = mesh;
+    if (bound || crossings) before = mesh;
     RepairFolds(view, tree, mesh, boundary, threads, progress);
-    if (!bound) return;
-    bound->Round(mesh);
-    bound->TakeBackAll(mesh, *before);
+    RoundAsInput(view, mesh);
+    if (crossings) crossings->TakeBackAll(mesh, *before);
+    if (bound) bound->TakeBackAll(mesh, *before);
+}
+
+/// The stages up to fold repair, and what they share.
+template <class Collapse>
+class PipelineRun
+{
+    const MeshView& view_;
+    const DecimationParameters& parameters_;
+    const PipelineStages& stages_;
+    const Collapse& collapse_;
+    int threads_;
+    std::optional<FaceTree> built_;
+    std::vector<std::uint32_t> faceOrder_;
+    std::vector<float> descriptor_; ///< of the input's vertices; may be empty
+
+  public:
+    CollapseTrace trace;
+
+    PipelineRun(const MeshView& view, const DecimationParameters& parameters, const PipelineStages& stages,
+                const Collapse& collapse, int threads)
+        : view_(view), parameters_(parameters), stages_(stages), collapse_(collapse), threads_(threads)
+    {
+    }
+
+    /// Of the original's faces; null where no face is left.
+    const FaceTree* Tree() const
+    {
+        return stages_.bound ? stages_.bound->task.tree.get() : built_ ? &*built_ : nullptr;
+    }
+
+    /// \param keeper guards the collapse if it has a reason to; null: nobody does
+    DecimatedMesh Run(const CrossingKeeper* keeper, const StageProgress& progress)
+    {
+        const CrossingKeeper* const guard = keeper && keeper->Guarded() ? keeper : nullptr;
+        DecimatedMesh mesh = CollapsedAndRefined(guard, progress);
+        if (!stages_.bound && !built_) built_ = TreeOf(view_, mesh, faceOrder_, threads_);
+        if (stages_.repairFolds && Tree())
+            RepairMesh(view_, *Tree(), mesh, parameters_.boundary, stages_.bound, guard, threads_,
+                       progress.Part(stages_.repairBegins, 100));
+        return mesh;
+    }
+
+    /// \pre there is a tree
+    DistanceReport Measure(const DecimatedMesh& mesh)
+    {
+        if (descriptor_.empty()) {
+            const std::vector<double> values = LaplacianDescriptor(view_, threads_);
+            descriptor_.assign(values.begin(), values.end());
+        }
+        return MeasureDistances(view_, *Tree(), mesh, descriptor_, kDistanceSamples, threads_);
+    }
+
+  private:
+    DecimatedMesh CollapsedAndRefined(const CrossingKeeper* guard, const StageProgress& progress)
+    {
+        KeptForLater kept{stages_.refine, parameters_.measureError};
+        if (guard) kept.guarded = guard->Guarded();
+        CollapsedSurface surface = collapse_(view_, kept, progress.Part(0, stages_.collapseEnds));
+        DecimatedMesh mesh = RefinedMesh(view_, surface, stages_, guard, threads_, progress);
+        trace = std::move(surface.trace);
+        faceOrder_ = std::move(surface.faceOrder);
+        descriptor_ = std::move(surface.descriptor);
+        return mesh;
+    }
+};
+
+/// Runs the stages, and again, guarded where faces cross, until no more of them cross than before.
+template <class Collapse>
+DecimatedMesh RunWithoutCrossings(PipelineRun<Collapse>& run, const PipelineStages& stages,
+                                  CrossingKeeper& keeper, DecimationReport& report,
+                                  const StageProgress& progress)
+{
+    constexpr int kRuns = 4; // the last of them is guarded everywhere
+    for (int i = 0;; ++i) {
+        DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : progress.Part(99, 100));
+        const std::vector<CrossingPair> crossings = keeper.Find(mesh);
+        report.selfIntersections = crossings.size();
+        const bool done = mesh.triangles.empty() || keeper.Allows(crossings.size(), *run.Tree());
+        report.selfIntersectionsBefore = keeper.Before();
+        if (done || i + 1 == kRuns || !stages.guardsCrossings) return mesh;
+        keeper.Guard(crossings, mesh, *run.Tree(), i + 2 == kRuns);
+    }
 }
 
 /// The way from a mesh to its simplification, the same for every collapse:
 ///
-///     descriptor and weights -> collapse -> refinement -> fold repair -> report
+///     descriptor and weights -> collapse -> refinement -> fold repair -> crossings -> report
 ///
 /// \param collapse called as collapse(view, KeptForLater, StageProgress), returns a CollapsedSurface. It
 ///        computes the descriptor that guides it and hands it on.
@@ -143,41 +233,26 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
     const int threads = ResolveThreads(parameters.threads);
     const StageProgress progress(parameters.progress);
     Simplification result;
+    DecimationReport& report = result.report;
     try {
-        std::vector<std::uint32_t> faceOrder;
-        std::vector<float> descriptor;
-        CollapseTrace trace;
-        {
-            const KeptForLater kept{stages.refine, parameters.measureError};
-            CollapsedSurface surface = collapse(view, kept, progress.Part(0, stages.collapseEnds));
-            result.mesh = RefinedMesh(view, surface, stages, threads, progress);
-            trace = std::move(surface.trace);
-            faceOrder = std::move(surface.faceOrder);
-            descriptor = std::move(surface.descriptor);
-        }
-        std::optional<FaceTree> built;
-        if (!stages.bound) built = TreeOf(view, result.mesh, faceOrder, threads);
-        const FaceTree* const tree = stages.bound ? stages.bound->task.tree.get() : built ? &*built : nullptr;
-        if (stages.repairFolds && tree)
-            RepairMesh(view, *tree, result.mesh, parameters.boundary, stages.bound, threads,
-                       progress.Part(stages.repairBegins, 100));
-        result.report = CountsOf(view, result.mesh, parameters.targetFaces);
-        if (stages.bound) result.report.certifiedError = stages.bound->CertifiedError();
-        result.report.trace = std::move(trace);
-        result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (parameters.measureError && tree) {
-            if (descriptor.empty()) {
-                const std::vector<double> values = LaplacianDescriptor(view, threads);
-                descriptor.assign(values.begin(), values.end());
-            }
-            result.report.distances =
-                MeasureDistances(view, *tree, result.mesh, descriptor, kDistanceSamples, threads);
-        }
+        PipelineRun<Collapse> run(view, parameters, stages, collapse, threads);
+        DecimationReport found;
+        CrossingKeeper keeper(view, threads);
+        result.mesh = parameters.avoidSelfIntersections
+                          ? RunWithoutCrossings(run, stages, keeper, found, progress)
+                          : run.Run(nullptr, progress);
+        report = CountsOf(view, result.mesh, parameters.targetFaces);
+        report.selfIntersections = found.selfIntersections;
+        report.selfIntersectionsBefore = found.selfIntersectionsBefore;
+        if (stages.bound) report.certifiedError = stages.bound->CertifiedError();
+        report.trace = std::move(run.trace);
+        report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (parameters.measureError && run.Tree()) report.distances = run.Measure(result.mesh);
     } catch (const Cancelled&) {
         result = {};
-        result.mesh.stopReason = result.report.stopReason = StopReason::Cancelled;
-        result.report.facesBefore = result.report.faces = view.faceCount;
-        result.report.vertices = view.vertexCount;
+        result.mesh.stopReason = report.stopReason = StopReason::Cancelled;
+        report.facesBefore = report.faces = view.faceCount;
+        report.vertices = view.vertexCount;
     }
     return result;
 }
@@ -194,7 +269,7 @@ struct SweepCollapse {
         for (int run = 0;; ++run) { // again, more careful, where the certificate fails
             constexpr int kRuns = 5;
             CollapsedSurface surface = Run(view, kept, progress.Part(20 * run, 20 * run + 20));
-            if (bound->Accepts(surface.coveredBy, ResultOf(view, surface, bound)) || run + 1 == kRuns)
+            if (bound->Accepts(surface.coveredBy, ResultOf(view, surface)) || run + 1 == kRuns)
                 return surface;
         }
     }
@@ -220,6 +295,7 @@ inline PipelineStages StagesOf(Effort effort)
 inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
     PipelineStages stages = StagesOf(parameters.effort);
+    stages.guardsCrossings = true;
     if (!stages.refine) stages.collapseEnds = stages.repairBegins;
     std::optional<BoundKeeper> bound;
     if (parameters.maxError > 0)

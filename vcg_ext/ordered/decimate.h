@@ -76,12 +76,15 @@ void CheckLength(const std::vector<Value>& values, const MeshView& view, const c
 } // namespace ordered_detail
 
 /// Decimates by the guided collapse in the order of its cost.
+/// \param guarded as KeptForLater's
 /// \throws Cancelled \pre finite coordinates, indices below vertexCount, parameters in their ranges
 inline OrderedDecimation DecimateOrdered(const MeshView& view, const DecimationParameters& parameters,
-                                         const StageProgress& progress = {})
+                                         const StageProgress& progress = {},
+                                         const std::vector<std::uint8_t>* guarded = nullptr)
 {
     CollapsibleMesh mesh(view);
     GuidedParameters guided;
+    if (guarded) guided.guarded = *guarded;
     guided.guidance = ordered_detail::GuidanceOf(view, parameters.featureWeight);
     guided.boundary = parameters.boundary;
     guided.preserveTopology = parameters.preserveTopology;
@@ -162,8 +165,8 @@ inline CollapsedSurface ToSurface(const MeshView& view, OrderedDecimation decima
 inline CollapsedSurface CollapseInOrder(const MeshView& view, const DecimationParameters& parameters,
                                         KeptForLater kept, const StageProgress& progress)
 {
-    CollapsedSurface surface = ToSurface(view, DecimateOrdered(view, parameters, progress), kept.original,
-                                         ResolveThreads(parameters.threads));
+    CollapsedSurface surface = ToSurface(view, DecimateOrdered(view, parameters, progress, kept.guarded),
+                                         kept.original, ResolveThreads(parameters.threads));
     if (!kept.descriptor || view.guidance != nullptr) surface.descriptor.clear();
     return surface;
 }

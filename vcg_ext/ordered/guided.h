@@ -13,6 +13,7 @@
 
 #include "vcg_ext/core/collapse/placement.h"
 #include "vcg_ext/core/parameters.h"
+#include "vcg_ext/ordered/crossing_guard.h"
 #include "vcg_ext/ordered/legality.h"
 #include "vcg_ext/ordered/mesh.h"
 #include "vcg_ext/ordered/queue.h"
@@ -27,6 +28,7 @@ struct GuidedParameters {
     Boundary boundary = Boundary::Preserve;  ///< Lock is up to fixedVertices
     bool preserveTopology = false;           ///< full link condition
     std::vector<std::uint8_t> fixedVertices; ///< not 0: neither moves nor goes; empty: none
+    std::vector<std::uint8_t> guarded;       ///< not 0: faces may not cross where it goes; empty: they may
 };
 
 /// The feature-guided quadric edge collapse, as a Method of CollapseRun.
@@ -61,6 +63,7 @@ class GuidedCollapse
     GuidedParameters parameters_;
     GuidedStars<Mesh> stars_;
     CollapseLegality<Mesh> legality_;
+    std::optional<CrossingGuard<Mesh>> guard_;
     std::vector<std::uint32_t> parent_; ///< where a vertex went; itself where it is still there
     std::vector<std::uint8_t> moved_;
     std::vector<StarFace> starFaces_; ///< scratch of Assess
@@ -93,15 +96,21 @@ class GuidedCollapse
             [this](const Vector3d& x) { return PenaltyAt(x); });
     }
 
-    /// Where the best place is refused one of these may do, so that targets stay within reach.
-    std::optional<Placed> CheapestOther(const End& a, const End& b) const
+    bool MakesCrossings(VertexType& removed, VertexType& kept, const Vector3d& placement)
     {
+        return guard_ && guard_->Refuses(stars_, removed, kept, placement);
+    }
+
+    /// Where the best place is refused one of these may do, so that targets stay within reach.
+    std::optional<Placed> CheapestOther(VertexType& removed, VertexType& kept)
+    {
+        const End &a = EndOf(removed), &b = EndOf(kept);
         std::optional<Placed> cheapest;
         const Vector3d half = HalfEdgeVector(a, b);
         for (const Vector3d& offset : OtherOffsets(half)) {
             Placed placed = PlaceAt(a, b, half, offset, DistanceAreaNow());
             const std::optional<double> penalty = PenaltyAt(placed.position);
-            if (!penalty) continue;
+            if (!penalty || MakesCrossings(removed, kept, placed.position)) continue;
             placed.cost *= *penalty;
             if (!cheapest || placed.cost < cheapest->cost) cheapest = placed;
         }
@@ -115,6 +124,7 @@ class GuidedCollapse
           stars_(mesh, parameters_.guidance, parameters_.boundary), legality_(mesh),
           parent_(mesh.vert.size()), moved_(mesh.vert.size(), 0)
     {
+        if (!parameters_.guarded.empty()) guard_.emplace(mesh_, std::move(parameters_.guarded));
         std::iota(parent_.begin(), parent_.end(), 0U);
         for (const FaceType& face : mesh.face)
             if (!face.IsD()) doubleArea_ += stars_.DoubleArea(face);
@@ -148,15 +158,17 @@ class GuidedCollapse
     std::optional<CollapseAssessment> Assess(VertexType& removed, VertexType& kept)
     {
         std::optional<Placed> placed = BestPlace(removed, kept);
-        if (!placed && !IsFixed(kept)) placed = CheapestOther(EndOf(removed), EndOf(kept));
+        if (placed && MakesCrossings(removed, kept, placed->position)) placed.reset();
+        if (!placed && !IsFixed(kept)) placed = CheapestOther(removed, kept);
         if (!placed) return std::nullopt;
         return CollapseAssessment{placed->cost, placed->position, placed->atA};
     }
 
-    bool IsLegal(VertexType& removed, VertexType& kept)
+    bool IsLegal(VertexType& removed, VertexType& kept, const Vector3d& placement)
     {
         return legality_.StaysManifold(removed, kept) &&
-               (!parameters_.preserveTopology || legality_.MeetsLinkCondition(kept));
+               (!parameters_.preserveTopology || legality_.MeetsLinkCondition(kept)) &&
+               !MakesCrossings(removed, kept, placement);
     }
 
     /// Where nothing else is left, holes with three sides may close.
@@ -167,6 +179,7 @@ class GuidedCollapse
         const std::size_t from = IndexOf(removed), into = IndexOf(kept);
         parent_[from] = static_cast<std::uint32_t>(into);
         const Vector3d moved = placement - EndOf(kept).position;
+        if (guard_) guard_->Follow(stars_, removed, kept, placement);
         stars_.Merge(from, into, placement);
         if (!(Dot(moved, moved) > 0)) return kept.cP();
         moved_[into] = 1;

@@ -100,7 +100,7 @@ class QueuedCollapse
                 return false;
             }
         }
-        if (run.method().IsLegal(removed, kept)) return true;
+        if (run.method().IsLegal(removed, kept, placement_)) return true;
         run.Refuse(removed, kept);
         return false;
     }
@@ -145,7 +145,7 @@ class QueuedCollapse
 /// - `bool MayGo(removed, kept)`: whether one may be merged into the other at all, whatever lies around them;
 /// - `double Estimate(removed, kept)`: cheap, at most what Assess will say or not much more;
 /// - `std::optional<CollapseAssessment> Assess(removed, kept)`: nothing where it is refused;
-/// - `bool IsLegal(removed, kept)`: topology;
+/// - `bool IsLegal(removed, kept, placement)`: topology, and whatever else must not happen;
 /// - `bool BeginLastResort()`: no legal collapse is left; true if from now on more are;
 /// - `CoordType Merge(removed, kept, placement)`: its books; returns the survivor's position in the mesh;
 /// - `void Refresh(kept, ring)`: its books, after the collapse.

@@ -175,7 +175,10 @@ class WeightedCollapse
                                   error->placement + positions_[from]};
     }
 
-    bool IsLegal(VertexType& removed, VertexType& kept) { return legality_.StaysManifold(removed, kept); }
+    bool IsLegal(VertexType& removed, VertexType& kept, const Vector3d&)
+    {
+        return legality_.StaysManifold(removed, kept);
+    }
     static constexpr bool BeginLastResort() { return false; }
 
     CoordType Merge(VertexType& removed, VertexType& kept, const Vector3d& placement)

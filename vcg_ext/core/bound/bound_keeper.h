@@ -56,14 +56,6 @@ class BoundKeeper
 
     const FaceTree& Tree() const { return *task.tree; }
 
-    /// As the caller will have it: where the original has floats, so has the result.
-    void Round(DecimatedMesh& mesh) const
-    {
-        if (original_.doublePositions) return;
-        for (auto& p : mesh.positions)
-            for (double& x : p) x = static_cast<double>(static_cast<float>(x));
-    }
-
     /// Does what a collapse left keep the bound? If not, the next run will be more careful where it failed.
     /// \param coveredBy as CollapsedSurface's
     bool Accepts(std::vector<std::uint32_t> coveredBy, const DecimatedMesh& mesh)

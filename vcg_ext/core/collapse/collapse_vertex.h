@@ -7,6 +7,7 @@
 
 #include "vcg_ext/core/collapse/apply.h"
 #include "vcg_ext/core/collapse/bound_check.h"
+#include "vcg_ext/core/collapse/crossing_check.h"
 #include "vcg_ext/core/collapse/edge_costs.h"
 #include "vcg_ext/core/collapse/legality.h"
 #include "vcg_ext/core/collapse/placement.h"
@@ -82,7 +83,7 @@ class VertexVisitor
     VisitResult Visit(std::uint32_t v, const VertexRange& range, const SweepStep& step)
     {
         NeighbourScratch& neighbours = workspace_.neighbours;
-        if (!CollectNeighbours(state_, v, range, neighbours)) return VisitResult::PutOff;
+        if (IsClosed(v, v) || !CollectNeighbours(state_, v, range, neighbours)) return VisitResult::PutOff;
         if (neighbours.size == 0) {
             state_.key[v] = kNoKey;
             return VisitResult::Refused;
@@ -96,8 +97,8 @@ class VertexVisitor
             const bool into = state_.Has(w, kFixedVertex);
             const std::uint32_t removed = into ? v : w, survivor = into ? w : v;
             Attempt attempt = Try(removed, survivor, best, range, step);
-            if (state_.bound && !attempt.outside && attempt.cost <= step.threshold)
-                KeepBound(removed, survivor, range, attempt);
+            if ((state_.bound || state_.crossings) && !attempt.outside && attempt.cost <= step.threshold)
+                KeepLimits(removed, survivor, range, attempt);
             if (attempt.outside) return VisitResult::PutOff;
             if (attempt.cost <= step.threshold) {
                 if (attempt.atRemoved)
@@ -161,37 +162,57 @@ class VertexVisitor
         }
     }
 
-    /// Moves a collapse that would exceed the bound to another place, or refuses it.
-    void KeepBound(std::uint32_t removed, std::uint32_t survivor, const VertexRange& range, Attempt& attempt)
+    /// Is one of the vertices guarded against crossings, and to be merged later only?
+    bool IsClosed(std::uint32_t v, std::uint32_t w) const
     {
-        BoundCheck check(state_, workspace_, removed, survivor, range);
-        const auto settled = [&](BoundVerdict verdict) {
+        return state_.crossings && !state_.crossings->isOpen && state_.crossings->Guards(v, w);
+    }
+
+    /// Moves a collapse that would exceed the bound or make faces cross to another place, or refuses it.
+    void KeepLimits(std::uint32_t removed, std::uint32_t survivor, const VertexRange& range, Attempt& attempt)
+    {
+        attempt.outside = IsClosed(removed, survivor);
+        if (attempt.outside) return;
+        std::optional<BoundCheck> bound;
+        if (state_.bound) bound.emplace(state_, workspace_, removed, survivor, range);
+        const bool isGuarded = state_.crossings && state_.crossings->Guards(removed, survivor);
+        const CrossingCheck crossings(state_, workspace_.star, removed, survivor);
+        const auto settled = [&] {
+            if (isGuarded && crossings.MakesCrossings(attempt.placement)) return false;
+            if (!bound) return true;
+            const BoundVerdict verdict = bound->Check(attempt.placement);
             attempt.outside = verdict == BoundVerdict::Outside;
-            if (verdict == BoundVerdict::Within) check.Commit(attempt.atRemoved ? removed : survivor);
+            if (verdict == BoundVerdict::Within) bound->Commit(attempt.atRemoved ? removed : survivor);
             return verdict != BoundVerdict::Beyond;
         };
-        if (!check.IsRefusedStill()) {
-            if (settled(check.Check(attempt.placement))) return;
-            if (!state_.Has(survivor, kFixedVertex)) {
-                const bool removedFirst = state_.descriptor[removed] > state_.descriptor[survivor];
-                const Vector3<float> ends[2] = {state_.Position(removed), state_.Position(survivor)};
-                for (const int place : {removedFirst ? 0 : 1, removedFirst ? 1 : 0, 2}) {
-                    attempt.atRemoved = place == 0;
-                    attempt.placement = place < 2 ? ends[place] : 0.5F * (ends[0] + ends[1]);
-                    if (EvaluateRing(state_, attempt.placement, workspace_.star) &&
-                        settled(check.Check(attempt.placement)))
-                        return;
-                }
-            }
-            check.Refuse();
+        if (!bound || !bound->IsRefusedStill()) {
+            if (settled() || TryEndsAndMiddle(removed, survivor, attempt, settled)) return;
+            if (bound) bound->Refuse();
         }
         attempt.cost = kRefusedKey;
+    }
+
+    /// \param settled called without arguments once attempt is at another place; whether that does it
+    template <class Settled>
+    bool TryEndsAndMiddle(std::uint32_t removed, std::uint32_t survivor, Attempt& attempt,
+                          const Settled& settled)
+    {
+        if (state_.Has(survivor, kFixedVertex)) return false;
+        const bool removedFirst = state_.descriptor[removed] > state_.descriptor[survivor];
+        const Vector3<float> ends[2] = {state_.Position(removed), state_.Position(survivor)};
+        for (const int place : {removedFirst ? 0 : 1, removedFirst ? 1 : 0, 2}) {
+            attempt.atRemoved = place == 0;
+            attempt.placement = place < 2 ? ends[place] : 0.5F * (ends[0] + ends[1]);
+            if (EvaluateRing(state_, attempt.placement, workspace_.star) && settled()) return true;
+        }
+        return false;
     }
 
     void Merge(std::uint32_t removed, std::uint32_t survivor, const Vector3<float>& placement,
                const SweepStep& step)
     {
         died_ += writer_.Collapse(removed, survivor, placement);
+        if (state_.crossings) CrossingCheck::Follow(state_, workspace_.star, removed, survivor);
         state_.flags[survivor] = static_cast<std::uint8_t>(state_.flags[survivor] | kMergedVertex);
         if (state_.cornerCount[survivor] > 0) state_.key[survivor] = step.RetryKey();
     }

@@ -15,6 +15,7 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/bound/collapse_bound.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
+#include "vcg_ext/core/collapse/crossing_check.h"
 #include "vcg_ext/core/collapse/initialize.h"
 #include "vcg_ext/core/collapse/load.h"
 #include "vcg_ext/core/collapse/schedule.h"
@@ -32,6 +33,8 @@ struct KeptForLater {
     bool descriptor = false; ///< CollapsedSurface::descriptor
     BoundTask* bound =
         nullptr; ///< keeps both surfaces this close, CollapsedSurface::coveredBy; null: no bound
+    /// One byte an input vertex, not 0: faces may not cross where it goes; null: they may everywhere.
+    const std::vector<std::uint8_t>* guarded = nullptr;
 };
 
 /// Collapses edges in sweeps over arrays, each up to a threshold of the cost, on several threads:
@@ -49,6 +52,7 @@ class CollapseEngine
     int threads_;
     StageProgress progress_;
     std::optional<CollapseBound> bound_;
+    std::optional<CollapseCrossings> crossings_;
     std::size_t inputVertices_ = 0;
     CollapsedSurface surface_; ///< what is known of it already
     SweepSchedule schedule_;
@@ -114,6 +118,7 @@ class CollapseEngine
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
         surface_.frame = state_.frame;
         if (kept.bound && !state_.faces.empty()) KeepBound(view, *kept.bound);
+        if (kept.guarded) Guard(*kept.guarded);
         if (kept.original) KeepOriginal();
         if (kept.descriptor && view.guidance == nullptr) KeepDescriptor(view.vertexCount);
         return state_;
@@ -130,6 +135,14 @@ class CollapseEngine
         bound_.emplace(view, *task.tree, CollapseBound::InnerLimit(task.bound));
         StartBound(state_, *bound_, task, threads_);
         state_.bound = &*bound_;
+    }
+
+    void Guard(const std::vector<std::uint8_t>& guarded)
+    {
+        crossings_.emplace().guarded.Allocate(state_.vertices.size());
+        for (std::size_t v = 0; v < state_.vertices.size(); ++v)
+            crossings_->guarded[v] = guarded[state_.origin[v]];
+        state_.crossings = &*crossings_;
     }
 
     void KeepCoverage()

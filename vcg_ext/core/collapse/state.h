@@ -84,6 +84,7 @@ constexpr float kRefusedKey = 1e38f;
 constexpr float kHighestThreshold = 5e37f;
 
 struct CollapseBound;
+struct CollapseCrossings;
 
 /// Everything that the collapses read and write. Vertices are in Morton order, faces in the order of their
 /// smallest vertex, so that neighbours in space are neighbours in memory.
@@ -112,8 +113,9 @@ struct SweepState {
     bool eightAtOnce = HasAvx2();  ///< the same bytes, in less time
     bool anyFixed = false;
     bool preserveTopology = false;
-    bool sharedSeams = false;       ///< of MeshView
-    CollapseBound* bound = nullptr; ///< what the collapses may not exceed; null: nothing
+    bool sharedSeams = false;               ///< of MeshView
+    CollapseBound* bound = nullptr;         ///< what the collapses may not exceed; null: nothing
+    CollapseCrossings* crossings = nullptr; ///< where faces may not cross; null: they may everywhere
 
     std::uint32_t VertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
     Vector3<float> Position(std::uint32_t v) const { return vertices[v].Position(); }

@@ -53,6 +53,7 @@ class SweepRunner
         if (!listsAreCompact_) CompactCornerLists();
         listsAreCompact_ = false;
         if (state_.bound) ++state_.bound->sweep;
+        if (state_.crossings) state_.crossings->isOpen = false;
         const std::size_t before = state_.aliveFaces;
         FormBlocks();
         SweepBlocks(step, target);
@@ -179,6 +180,7 @@ class SweepRunner
     void SweepRest(const SweepStep& step, std::size_t target)
     {
         const VertexRange all{0, state_.VertexCount()};
+        if (state_.crossings) CrossingCheck::Open(state_);
         const std::size_t before = state_.aliveFaces;
         VertexVisitor visitor = MakeVisitor(0);
         const auto isCandidate = [&](std::uint32_t v) { return IsCandidate(v, step); };

@@ -14,6 +14,9 @@ namespace vcg_ext
 /// Length of the bounding box's diagonal in the frame.
 constexpr double kFrameDiagonal = 1024;
 
+/// In the frame: by how much boxes are taken for larger, so that rounding to single precision hides nothing.
+constexpr float kBoxMargin = 1e-3F;
+
 /// The similarity between a mesh's own coordinates and the frame in which surfaces are collapsed and
 /// compared: the box of the mesh lies about its origin. Single precision is enough there.
 struct Frame {

@@ -59,6 +59,9 @@ struct DecimationReport {
     /// Percent of the original's diagonal: no point of either surface is farther from the other, which is
     /// proven. Nothing where no bound was asked for, or none could be proven.
     std::optional<double> certifiedError;
+    /// Pairs of faces that cross (crossing_triangles.h). Nothing where nobody asked to avoid them; those of
+    /// the original are counted only where the result had any.
+    std::optional<std::size_t> selfIntersections, selfIntersectionsBefore;
     CollapseTrace trace; ///< of the sweeps
     double seconds = 0;  ///< wall time of collapse, refinement and fold repair, without the measurement
 };

@@ -43,6 +43,14 @@ inline MeshView ViewOf(const DecimatedMesh& mesh, const MeshView& original, std:
     return view;
 }
 
+/// The coordinates as the caller will have them: where the original has floats, so has the result.
+inline void RoundAsInput(const MeshView& original, DecimatedMesh& mesh)
+{
+    if (original.doublePositions) return;
+    for (auto& p : mesh.positions)
+        for (double& x : p) x = static_cast<double>(static_cast<float>(x));
+}
+
 /// Takes what became of the result into it: its faces, and the positions of vertices that moved; the others
 /// keep their bits. \pre \p surface was built from ViewOf(mesh) in \p frame
 inline void WriteBack(const SurfaceArrays& surface, const Frame& frame, DecimatedMesh& mesh)

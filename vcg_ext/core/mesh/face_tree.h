@@ -41,7 +41,7 @@ class FaceTree
     /// A face faces away from a direction where their cosine is below this: above, it may be rounding.
     static constexpr float kAway = -1e-6F;
 
-    static constexpr std::size_t kFacesPerLeaf = 8;
+    static constexpr std::size_t kFacesPerLeaf = LeafFaces::kMost;
     using FourIndices = std::array<std::uint32_t, kLanes>; ///< of faces
 
     const std::uint32_t* triangles_;
@@ -251,6 +251,32 @@ class FaceTree
         ForEachNear(levels_.size(), 0, box, visit);
     }
 
+    /// Faces that are close to each other in space share a leaf.
+    std::size_t LeafCount() const { return (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; }
+
+    /// The faces of a leaf with their boxes.
+    LeafFaces FacesOfLeaf(std::size_t leaf) const
+    {
+        LeafFaces all;
+        ForEachFour(leaf, [&](const FourTriangles& faces, const FourIndices& indices) {
+            Box3<Float4> boxes = EmptyBox<Float4>();
+            for (const Vector3<Float4>& corner : {faces.a, faces.a + faces.b, faces.a + faces.c})
+                boxes.Add(corner);
+            const std::size_t left = faces_.size() - leaf * kFacesPerLeaf - all.count;
+            all.boxes[all.fours] = {boxes};
+            std::copy(indices.begin(), indices.end(), all.faces.begin() + kLanes * all.fours++);
+            all.count += std::min<std::size_t>(left, kLanes);
+        });
+        return all;
+    }
+
+    /// Calls visit(leaf) for every leaf from \p first on of which the box meets \p box, in ascending order.
+    template <class Visit>
+    void ForEachLeafNear(const Box3<float>& box, std::size_t first, const Visit& visit) const
+    {
+        ForEachLeafNear(levels_.size(), 0, box, first, visit);
+    }
+
   private:
     static constexpr std::size_t kMaxCandidates = 64;
 
@@ -259,8 +285,6 @@ class FaceTree
         const auto isFar = [&](const Candidate& c) { return !(c.distance2 <= limit2); };
         found.erase(std::remove_if(found.begin(), found.end(), isFar), found.end());
     }
-
-    std::size_t LeafCount() const { return (faces_.size() + kFacesPerLeaf - 1) / kFacesPerLeaf; }
 
     /// In Morton order of their first corners.
     void SortFaces(int threads)
@@ -365,6 +389,20 @@ class FaceTree
                 stack[at] = {distance2[lane], kLanes * entry.node + static_cast<std::uint32_t>(lane),
                              entry.level - 1};
             }
+        }
+    }
+
+    /// \param level as Search's
+    template <class Visit>
+    void ForEachLeafNear(std::size_t level, std::size_t node, const Box3<float>& box, std::size_t first,
+                         const Visit& visit) const
+    {
+        if (level == 0) return visit(node);
+        const int met = LaneBits(levels_[level - 1][node].points.Meet(box));
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const std::size_t child = kLanes * node + lane;
+            const bool hasLater = (child + 1) << (2 * (level - 1)) > first; // four children a node
+            if ((met >> lane & 1) != 0 && hasLater) ForEachLeafNear(level - 1, child, box, first, visit);
         }
     }
 

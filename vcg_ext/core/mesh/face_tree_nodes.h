@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "vcg_ext/core/base/buffer.h"
@@ -26,6 +28,13 @@ struct FourBoxes {
         SetLane(boxes.high, lane, box.high);
     }
     Box3<float> At(int lane) const { return {Lane(boxes.low, lane), Lane(boxes.high, lane)}; }
+    /// Which of them have a point in common with \p box.
+    Int4 Meet(const Box3<float>& box) const
+    {
+        return (boxes.low.x <= Splat(box.high.x)) & (boxes.low.y <= Splat(box.high.y)) &
+               (boxes.low.z <= Splat(box.high.z)) & (Splat(box.low.x) <= boxes.high.x) &
+               (Splat(box.low.y) <= boxes.high.y) & (Splat(box.low.z) <= boxes.high.z);
+    }
     /// Squared distances from \p p.
     Float4 Distances2(const Vector3<float>& p) const
     {
@@ -43,6 +52,16 @@ struct FourBoxes {
     }
     /// The greatest.
     Float4 GreatestDots(const Vector3<float>& direction) const { return -LeastDots(-1.0F * direction); }
+};
+
+/// The faces of a leaf of a FaceTree.
+struct LeafFaces {
+    static constexpr std::size_t kMost = 8;
+    std::array<FourBoxes, kMost / kLanes> boxes;
+    std::array<std::uint32_t, kMost> faces; ///< those behind the last repeat it
+    std::size_t fours = 0, count = 0;
+
+    Box3<float> BoxOf(std::size_t i) const { return boxes[i / kLanes].At(static_cast<int>(i % kLanes)); }
 };
 
 struct FourNodes {

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "analytic_meshes.h"
+#include "vcg_ext/core/mesh/find_crossings.h"
+#include "vcg_ext/core/simplify.h"
+
+using namespace test_meshes;
+using vcg_ext::CrossingPair;
+using vcg_ext::DecimationParameters;
+using vcg_ext::Effort;
+using vcg_ext::Simplification;
+
+namespace
+{
+
+std::vector<CrossingPair> CrossingsOf(const IndexedMesh& mesh, int threads = 1)
+{
+    const vcg_ext::MeshView view = View(mesh);
+    return FindCrossings(view, vcg_ext::FaceTree(view, vcg_ext::FrameOf(view), threads), threads);
+}
+IndexedMesh MeshOf(const Simplification& simplification)
+{
+    IndexedMesh mesh;
+    mesh.points = simplification.mesh.positions;
+    mesh.triangles = simplification.mesh.triangles;
+    return mesh;
+}
+
+/// Every two faces, one after the other.
+std::vector<CrossingPair> AllPairs(const IndexedMesh& mesh)
+{
+    const vcg_ext::ExactFaces faces(View(mesh));
+    std::vector<CrossingPair> pairs;
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
+        for (std::uint32_t g = f + 1; g < mesh.triangles.size(); ++g)
+            if (TrianglesCross(faces[f], faces[g])) pairs.emplace_back(f, g);
+    return pairs;
+}
+
+/// Two sheets so close to each other that coarse faces of one cut through the other.
+IndexedMesh TwoSheets()
+{
+    IndexedMesh sheet = Grid(60, 60);
+    for (Point& p : sheet.points) p[2] = 4 * std::sin(p[0] / 6) * std::cos(p[1] / 7);
+    return Merged(sheet, Moved(sheet, 0, 1, {0, 0, 0.3}));
+}
+IndexedMesh TwoSpheres(int levels)
+{
+    return Merged(Icosphere(levels), Moved(Icosphere(levels), 0.3, 1, {0.4, 0.1, 0}));
+}
+IndexedMesh Soup()
+{
+    std::mt19937 random(3);
+    const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    IndexedMesh mesh;
+    for (std::size_t f = 0; f < 500; ++f) {
+        const Point center{number(), number(), number()};
+        for (int k = 0; k < 3; ++k) {
+            Point p = center;
+            for (double& x : p) x += 0.2 * number();
+            mesh.points.push_back(p);
+        }
+        mesh.AddTriangle(3 * f, 3 * f + 1, 3 * f + 2);
+    }
+    return mesh;
+}
+
+DecimationParameters Percent(const IndexedMesh& mesh, double percent, Effort effort)
+{
+    DecimationParameters parameters;
+    parameters.targetFaces =
+        static_cast<std::size_t>(percent / 100 * static_cast<double>(mesh.triangles.size()));
+    parameters.effort = effort;
+    parameters.measureError = false;
+    parameters.threads = 1;
+    return parameters;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Effort)
+
+class TestCrossings : public QObject
+{
+    Q_OBJECT
+
+    static void AddEfforts()
+    {
+        QTest::addColumn<Effort>("effort");
+        QTest::newRow("fast") << Effort::Fast;
+        QTest::newRow("balanced") << Effort::Balanced;
+    }
+
+  private slots:
+    void pairsAreThoseOfAllFaces_data()
+    {
+        QTest::addColumn<int>("threads");
+        for (const int threads : {1, 2, 3, 7}) QTest::addRow("%d threads", threads) << threads;
+    }
+    void pairsAreThoseOfAllFaces()
+    {
+        QFETCH(int, threads);
+        for (const IndexedMesh& mesh :
+             {Soup(), TwoSpheres(2), Merged(Grid(9, 9), Moved(Grid(9, 9), 0, 1, {0.5, 0.25, 0}))}) {
+            const auto pairs = AllPairs(mesh);
+            QVERIFY(pairs.size() > 50);
+            QVERIFY(CrossingsOf(mesh, threads) == pairs);
+        }
+    }
+
+    /// Faces of triangle soup share corners by their coordinates alone.
+    void soupOfASurfaceDoesNotCross()
+    {
+        const IndexedMesh sphere = Icosphere(3);
+        IndexedMesh soup;
+        for (const Triangle& t : sphere.triangles) {
+            for (const std::uint32_t v : t) soup.points.push_back(sphere.points[v]);
+            soup.AddTriangle(soup.points.size() - 3, soup.points.size() - 2, soup.points.size() - 1);
+        }
+        QVERIFY(CrossingsOf(soup).empty());
+    }
+
+    void noFacesCrossThatDidNotBefore_data() { AddEfforts(); }
+    void noFacesCrossThatDidNotBefore()
+    {
+        QFETCH(Effort, effort);
+        for (const IndexedMesh& mesh : {TwoSheets(), Shell(4, 0.015)}) {
+            QVERIFY(CrossingsOf(mesh).empty());
+            for (const double percent : {5.0, 1.0}) {
+                DecimationParameters parameters = Percent(mesh, percent, effort);
+                const Simplification result = Simplify(View(mesh), parameters);
+                QVERIFY(CrossingsOf(MeshOf(result)).empty());
+                QVERIFY(result.report.selfIntersections == std::size_t{0});
+                QVERIFY(result.report.targetReached);
+                parameters.avoidSelfIntersections = false;
+                const Simplification plain = Simplify(View(mesh), parameters);
+                QVERIFY(!plain.report.selfIntersections);
+                if (percent < 2) QVERIFY(!CrossingsOf(MeshOf(plain)).empty());
+            }
+        }
+    }
+
+    void noMoreCrossThanBefore_data() { AddEfforts(); }
+    void noMoreCrossThanBefore()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSpheres(4);
+        const std::size_t before = CrossingsOf(mesh).size();
+        for (const double percent : {50.0, 10.0, 2.0}) {
+            const Simplification result = Simplify(View(mesh), Percent(mesh, percent, effort));
+            QVERIFY(result.report.selfIntersections == CrossingsOf(MeshOf(result)).size());
+            QVERIFY(result.report.selfIntersectionsBefore == before);
+            QVERIFY(*result.report.selfIntersections > 0 && *result.report.selfIntersections <= before);
+        }
+    }
+
+    void whatIsFixedStays_data() { AddEfforts(); }
+    void whatIsFixedStays()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSheets();
+        std::vector<std::uint8_t> fixed(mesh.points.size(), 0);
+        for (std::size_t v = 0; v < fixed.size(); v += 97) fixed[v] = 1;
+        vcg_ext::MeshView view = View(mesh);
+        view.fixedVertices = fixed.data();
+        const Simplification result = Simplify(view, Percent(mesh, 2, effort));
+        QCOMPARE(CrossingsOf(MeshOf(result)).size(), std::size_t{0});
+        std::size_t found = 0;
+        for (std::size_t v = 0; v < result.mesh.positions.size(); ++v) {
+            const std::uint32_t origin = result.mesh.vertexOrigin[v];
+            if (!fixed[origin]) continue;
+            ++found;
+            QVERIFY(result.mesh.positions[v] == mesh.points[origin]);
+        }
+        QCOMPARE(found, static_cast<std::size_t>(std::count(fixed.begin(), fixed.end(), 1)));
+    }
+
+    void boundHoldsAsWell_data() { AddEfforts(); }
+    void boundHoldsAsWell()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSheets();
+        DecimationParameters parameters = Percent(mesh, 0.5, effort);
+        parameters.maxError = 2;
+        const Simplification result = Simplify(View(mesh), parameters);
+        QCOMPARE(CrossingsOf(MeshOf(result)).size(), std::size_t{0});
+        QVERIFY(result.report.certifiedError && *result.report.certifiedError <= 2);
+        parameters.avoidSelfIntersections = false;
+        QVERIFY(!CrossingsOf(MeshOf(Simplify(View(mesh), parameters))).empty());
+    }
+
+    void sameBytesForEveryNumberOfThreads_data() { AddEfforts(); }
+    void sameBytesForEveryNumberOfThreads()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSheets();
+        DecimationParameters parameters = Percent(mesh, 1, effort);
+        const Simplification one = Simplify(View(mesh), parameters);
+        for (const int threads : {2, 3, 7}) {
+            parameters.threads = threads;
+            const Simplification several = Simplify(View(mesh), parameters);
+            QVERIFY(several.mesh.positions == one.mesh.positions);
+            QVERIFY(several.mesh.triangles == one.mesh.triangles);
+        }
+    }
+
+    /// Positions are those that the caller gets: of floats, floats.
+    void floatsAreRoundedBeforeTheyAreCounted()
+    {
+        const IndexedMesh mesh = TwoSheets();
+        std::vector<std::array<float, 3>> points;
+        for (const Point& p : mesh.points)
+            points.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+        vcg_ext::MeshView view = View(mesh);
+        view.positions = points.data();
+        view.positionStride = sizeof points[0];
+        view.doublePositions = false;
+        const Simplification result = Simplify(view, Percent(mesh, 1, Effort::Balanced));
+        for (const auto& p : result.mesh.positions)
+            for (const double x : p) QCOMPARE(static_cast<double>(static_cast<float>(x)), x);
+        QCOMPARE(CrossingsOf(MeshOf(result)).size(), std::size_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCrossings)
+#include "test_crossings.moc"
