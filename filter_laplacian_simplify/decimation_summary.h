@@ -35,6 +35,10 @@ inline Report ToReport(const vcg_ext::DecimationReport& decimation)
     if (decimation.selfIntersections) report.SetCount("self_intersections", *decimation.selfIntersections);
     if (decimation.selfIntersectionsBefore)
         report.SetCount("self_intersections_before", *decimation.selfIntersectionsBefore);
+    if (decimation.cleaning) {
+        report.SetCount("welded_vertices", decimation.cleaning->weldedVertices);
+        report.SetCount("dropped_faces", decimation.cleaning->DroppedFaces());
+    }
     if (decimation.certifiedError) report.Set("certified_error", *decimation.certifiedError);
     report.Set("seconds", decimation.seconds);
     return report;
@@ -52,7 +56,8 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
     case vcg_ext::StopReason::NoLegalCollapse:
         if (decimation.edges.boundary >
             2 * decimation.faces) // an STL file: every face has vertices of its own
-            return missed + "most faces are not connected; apply \"Merge Close Vertices\" first";
+            return missed +
+                   "most faces are not connected; turn on \"Clean the input\", or set a \"Weld distance\"";
         return missed + "no further collapse is possible without damage "
                         "(flipped faces, non-manifold edges, changes to locked parts)";
     case vcg_ext::StopReason::Cancelled:
@@ -84,6 +89,10 @@ inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decima
     lines.push_back(CountText(decimation.facesBefore) + " -> " + CountText(decimation.faces) + " faces (" +
                     RoundedText(percent, 3) + " %), " + CountText(decimation.vertices) + " vertices, " +
                     FixedText(decimation.seconds, 2) + " s; " + StopDescription(decimation, target));
+    if (decimation.cleaning && decimation.cleaning->weldedVertices + decimation.cleaning->DroppedFaces() > 0)
+        lines.push_back("Cleaned: " + CountText(decimation.cleaning->weldedVertices) + " vertices welded, " +
+                        CountText(decimation.cleaning->degenerateFaces) + " degenerate and " +
+                        CountText(decimation.cleaning->duplicateFaces) + " duplicate faces left out");
     if (decimation.certifiedError)
         lines.push_back("No point of either surface is farther from the other than " +
                         RoundedText(*decimation.certifiedError, 4) +

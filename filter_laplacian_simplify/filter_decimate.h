@@ -70,13 +70,13 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
 
 /// Writes a result to the current mesh, or to a copy of it in a new layer.
 template <class Host>
-void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer)
+void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer, bool dropUnreferenced)
 {
     if (newLayer) {
         RenumberForCompactCopy(host.Mesh(), result);
         host.ContinueOnCopy();
     }
-    vcg_ext::ApplyDecimation(host.Mesh(), result);
+    vcg_ext::ApplyDecimation(host.Mesh(), result, dropUnreferenced);
     host.GeometryChanged();
 }
 
@@ -85,6 +85,7 @@ struct DecimationWishes {
     bool measureError = false;
     bool newLayer = false;
     bool errorBound = false; ///< the report says what is proven
+    bool cleanInput = false; ///< vertices of no face go
 };
 
 /// What every decimation filter does besides its collapses: target, progress, result, report and log.
@@ -110,7 +111,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
-            Commit(host, std::move(decimation.mesh), wishes.newLayer);
+            Commit(host, std::move(decimation.mesh), wishes.newLayer, wishes.cleanInput);
     }
     report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
@@ -132,11 +133,13 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.order = values.Choice<vcg_ext::Order>("order");
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
+    parameters.cleanInput = values.Boolean("clean_input");
+    parameters.weldDistance = values.Real("weld_distance");
     parameters.measureError = values.Boolean("measure_error");
     if (parameters.maxError > 0 && parameters.order == vcg_ext::Order::Strict)
         throw std::invalid_argument("max_error = " + NumberText(parameters.maxError) + " needs order sweeps");
     const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
-                                  parameters.maxError > 0};
+                                  parameters.maxError > 0, parameters.cleanInput};
     return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {
         using Mesh = typename Host::MeshType;
         parameters.targetFaces = target;

@@ -82,10 +82,9 @@ const std::vector<Parameter>& Parameters()
     static const std::vector<Option> computedOrStored = Descriptors(true);
     static const std::vector<Option> weights = Weightings();
     static const std::vector<Option> errors = ErrorFunctions();
-    static const std::vector<Option> efforts = {
-        {"fast", "fast: collapse only"},
-        {"balanced", "balanced: collapse, then refine"},
-        {"best", "best: collapse, refine, exchange vertices"}};
+    static const std::vector<Option> efforts = {{"fast", "fast: collapse only"},
+                                                {"balanced", "balanced: collapse, then refine"},
+                                                {"best", "best: collapse, refine, exchange vertices"}};
     static const std::vector<Option> boundaries = {{"free", "free: like any other edge"},
                                                    {"preserve", "preserve: borders keep their shape"},
                                                    {"lock", "lock: border vertices do not move"}};
@@ -175,6 +174,14 @@ const std::vector<Parameter>& Parameters()
         {"avoid_self_intersections", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
          "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
          "care, which takes several times as long. What could not be kept is reported.", {}},
+        {"clean_input", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Clean the input",
+         "First joins open borders where they meet at equal coordinates, as all faces of an STL file do, and "
+         "removes faces with the same vertex twice, faces that are there twice, and vertices of no face. Vertices "
+         "of different color or texture coordinates stay apart.", {}},
+        {"weld_distance", {kGuided}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
+         "Weld distance (0-100)",
+         "\"Clean the input\" also joins border vertices that are at most this far apart, in percent of the diagonal "
+         "of the bounding box. 0: only those at equal coordinates.", {}},
         {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
          "Keep the original and put the result in a new layer.", {}},
         {"measure_error", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Measure error",

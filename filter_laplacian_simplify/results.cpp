@@ -69,6 +69,11 @@ const std::vector<Result>& Results()
          "was nothing to decimate.", true},
         {"self_intersections_before", {kGuided, kWeighted}, Type::Integer, "pairs of faces",
          "The same number of the original; it is counted only if faces of the result crossed.", true},
+        {"welded_vertices", {kGuided}, Type::Integer, "vertices",
+         "Number of vertices that became one with another; missing without \"clean_input\", after a canceled run, "
+         "and if there was nothing to decimate.", true},
+        {"dropped_faces", {kGuided}, Type::Integer, "faces",
+         "Number of degenerate and duplicate faces that were left out; missing as \"welded_vertices\".", true},
         {"certified_error", {kGuided}, Type::Real, kPercent,
          "No point of either surface is farther than this from the other, which is proven; missing without "
          "\"max_error\", or if it could not be proven.", true},

@@ -43,9 +43,10 @@ void ForgetAdjacency(Mesh& mesh)
 /// Puts a result into the mesh it was made from: survivors keep their attributes, flags and selection,
 /// everything else that was on a face goes; polygons stay where all of their faces stayed as they were; the
 /// mesh is compact afterwards and adjacency is rebuilt where the mesh has it. Normals and the box are the
-/// caller's. \pre mesh has not changed since Decimate
+/// caller's. \param dropUnreferenced vertices that were on no face go, too
+/// \pre mesh has not changed since Decimate
 template <class Mesh>
-void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result)
+void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferenced = false)
 {
     using Coord = typename Mesh::CoordType;
     using Scalar = typename Mesh::ScalarType;
@@ -83,7 +84,8 @@ void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result)
         ++next;
     }
     for (std::size_t v = 0; v < wasUsed.size(); ++v)
-        if (wasUsed[v] && !staysUsed[v]) Allocator::DeleteVertex(mesh, mesh.vert[v]);
+        if ((wasUsed[v] || (dropUnreferenced && !mesh.vert[v].IsD())) && !staysUsed[v])
+            Allocator::DeleteVertex(mesh, mesh.vert[v]);
     ClearFauxEdgesOutsidePolygons(mesh);
     Allocator::CompactEveryVector(mesh);
     if (vcg::tri::HasFFAdjacency(mesh)) vcg::tri::UpdateTopology<Mesh>::FaceFace(mesh);

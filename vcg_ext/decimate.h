@@ -35,10 +35,12 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
     PipelineStages stages = StagesOf(parameters.effort);
     stages.guardsCrossings = true;
     stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;
-    return RunPipeline(view, parameters, stages,
-                       [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {
-                           return CollapseInOrder(mesh, parameters, kept, progress);
-                       });
+    const auto collapse = [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {
+        return CollapseInOrder(mesh, parameters, kept, progress);
+    };
+    return OnCleanInput(view, parameters, [&](const MeshView& mesh) {
+        return RunPipeline(mesh, parameters, stages, collapse);
+    });
 }
 
 /// Simplifies a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
@@ -56,6 +58,9 @@ Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parame
         outside = arrays.OutsideSelection(mesh);
         view.fixedVertices = outside.data();
     }
+    const std::vector<std::uint32_t> keys =
+        parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
+    if (!keys.empty()) view.vertexKeys = keys.data();
     if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
     return Decimate(view, static_cast<const DecimationParameters&>(parameters));
 }

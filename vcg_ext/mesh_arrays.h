@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <vcg/complex/complex.h>
 
+#include "vcg_ext/core/base/first_equal.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 
 namespace vcg_ext
@@ -83,5 +86,33 @@ class MeshArrays
         return outside;
     }
 };
+
+/// One number an element of mesh.vert, the same for the same color and texture coordinates; empty if vertices
+/// have neither.
+template <class Mesh>
+std::vector<std::uint32_t> AttributeKeys(const Mesh& mesh)
+{
+    const bool color = vcg::tri::HasPerVertexColor(mesh), texture = vcg::tri::HasPerVertexTexCoord(mesh);
+    std::vector<std::uint32_t> keys;
+    if (!color && !texture) return keys;
+    keys.reserve(mesh.vert.size());
+    for (const auto& vertex : mesh.vert) {
+        std::uint64_t key = 0;
+        if constexpr (Mesh::VertexType::HasColor())
+            if (color)
+                for (int k = 0; k < 4; ++k) key = key << 8U | vertex.cC()[k];
+        if constexpr (Mesh::VertexType::HasTexCoord()) {
+            if (texture) {
+                const std::array<float, 2> uv{static_cast<float>(vertex.cT().U()),
+                                              static_cast<float>(vertex.cT().V())};
+                std::uint64_t bits = 0;
+                std::memcpy(&bits, uv.data(), sizeof bits);
+                key = Mixed(Mixed(key + bits) + static_cast<std::uint64_t>(vertex.cT().N()));
+            }
+        }
+        keys.push_back(static_cast<std::uint32_t>(key));
+    }
+    return keys;
+}
 
 } // namespace vcg_ext

@@ -86,6 +86,8 @@ def simplify_arrays(
         "boundary",
         "preserve_topology",
         "avoid_self_intersections",
+        "clean_input",
+        "weld_distance",
         "measure_error",
         "threads",
     )

@@ -42,6 +42,8 @@ class FileOptions(TypedDict, total=False):
     boundary: Boundary | int | None
     preserve_topology: bool | None
     avoid_self_intersections: bool | None
+    clean_input: bool | None
+    weld_distance: float | None
     measure_error: bool | None
     order: Order | int | None
     threads: int | None
@@ -82,6 +84,8 @@ def simplify(
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
     avoid_self_intersections: bool | None = None,
+    clean_input: bool | None = None,
+    weld_distance: float | None = None,
     new_layer: bool | None = None,
     measure_error: bool | None = None,
     order: Order | int | None = None,
@@ -116,6 +120,9 @@ def simplify(
         selected_only: only the selected faces are decimated; default where faces are selected.
         avoid_self_intersections: no more faces cross each other than before (default); the report says so if that could
             not be kept.
+        clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces and vertices
+            of no face (default).
+        weld_distance: borders this close are joined, too, in percent of the bounding box's diagonal.
         new_layer: keep the original, the result becomes a new mesh of the set; for mesh sets and files only.
         measure_error: measure the distances for the report (default).
         order: sweeps, the parallel engine (default), or strict, VCG's own order; for mesh sets and files only.
@@ -150,6 +157,8 @@ def simplify(
         "preserve_topology": preserve_topology,
         "selected_only": selected_only,
         "avoid_self_intersections": avoid_self_intersections,
+        "clean_input": clean_input,
+        "weld_distance": weld_distance,
         "new_layer": new_layer,
         "measure_error": measure_error,
         "order": order,

@@ -48,6 +48,8 @@ class _Parameters(ctypes.Structure):
         ("boundary", c_int32),
         ("preserve_topology", c_int32),
         ("avoid_self_intersections", c_int32),
+        ("clean_input", c_int32),
+        ("weld_distance", c_double),
         ("measure_error", c_int32),
         ("threads", c_int32),
         ("cost_limit", c_double),
@@ -81,6 +83,9 @@ class _Result(ctypes.Structure):
         ("self_intersections", c_uint64),
         ("has_self_intersections_before", c_int32),
         ("self_intersections_before", c_uint64),
+        ("has_cleaning", c_int32),
+        ("welded_vertices", c_uint64),
+        ("dropped_faces", c_uint64),
         ("has_certificate", c_int32),
         ("certified_error", c_double),
         ("seconds", c_double),
@@ -212,6 +217,7 @@ def _outcome(mesh: MeshArrays, result: _Result) -> Outcome:
     names += ["hausdorff", "rms", "feature_rms", "folded"] if result.has_distances else []
     names += ["self_intersections"] if result.has_self_intersections else []
     names += ["self_intersections_before"] if result.has_self_intersections_before else []
+    names += ["welded_vertices", "dropped_faces"] if result.has_cleaning else []
     names += ["certified_error"] if result.has_certificate else []
     report |= {name: getattr(result, name) for name in names}
     return Outcome(

@@ -126,6 +126,10 @@ class DecimationReport(Report):
     """Pairs of faces that cross; None where they were not to be avoided."""
     self_intersections_before: int | None = None
     """The same of the original; None where no faces of the result crossed: then they were not counted."""
+    welded_vertices: int | None = None
+    """Vertices that became one with another; None where the input was taken as it is, as the next."""
+    dropped_faces: int | None = None
+    """Degenerate and duplicate faces that were left out."""
     certified_error: float | None = None
 
     def __post_init__(self) -> None:

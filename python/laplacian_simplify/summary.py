@@ -38,6 +38,10 @@ def _decimation(report: Mapping[str, Any]) -> list[str]:
             f"distance  rms {report['rms']:.3g} %, at features {report['feature_rms']:.3g} %, "
             f"largest {report['hausdorff']:.3g} % of the bounding box's diagonal"
         )
+    if report.get("welded_vertices") or report.get("dropped_faces"):
+        welded = _count(report["welded_vertices"], "vertex", "vertices")
+        dropped = _count(report["dropped_faces"], "degenerate or duplicate face")
+        lines.append(f"cleaned   {welded} welded, {dropped} left out")
     if "certified_error" in report:
         lines.append(f"proven    within {report['certified_error']:.4g} % of the bounding box's diagonal, both ways")
     checks = [_count(report["vertices"], "vertex", "vertices")]

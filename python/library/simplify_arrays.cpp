@@ -166,6 +166,8 @@ vcg_ext::DecimationParameters ToCore(const Parameters& given)
     parameters.boundary = static_cast<vcg_ext::Boundary>(given.boundary);
     parameters.preserveTopology = given.preserve_topology != 0;
     parameters.avoidSelfIntersections = given.avoid_self_intersections != 0;
+    parameters.cleanInput = given.clean_input != 0;
+    parameters.weldDistance = given.weld_distance;
     parameters.measureError = given.measure_error != 0;
     parameters.threads = given.threads;
     parameters.costLimit = given.cost_limit;
@@ -235,6 +237,11 @@ void Report(const vcg_ext::DecimationReport& report, Result& result)
     result.self_intersections = report.selfIntersections.value_or(0);
     result.has_self_intersections_before = report.selfIntersectionsBefore.has_value();
     result.self_intersections_before = report.selfIntersectionsBefore.value_or(0);
+    result.has_cleaning = report.cleaning.has_value();
+    if (report.cleaning) {
+        result.welded_vertices = report.cleaning->weldedVertices;
+        result.dropped_faces = report.cleaning->DroppedFaces();
+    }
     result.has_certificate = report.certifiedError.has_value();
     result.certified_error = report.certifiedError.value_or(0);
     result.has_distances = report.distances.has_value();
@@ -277,7 +284,8 @@ void Run(const Mesh& mesh, const Parameters& given, Result& result)
                                        : vcg_ext::Simplify(input.view, parameters);
     Report(done.report, result);
     if (done.report.stopReason != vcg_ext::StopReason::Cancelled) {
-        if (mesh.face_count > parameters.targetFaces) KeepLooseVertices(input, done.mesh);
+        if (mesh.face_count > parameters.targetFaces && !parameters.cleanInput)
+            KeepLooseVertices(input, done.mesh);
         HandOver(std::move(done), result);
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();

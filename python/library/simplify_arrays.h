@@ -45,6 +45,8 @@ struct laplacian_simplify_parameters {
     std::int32_t boundary; ///< 0 free, 1 preserve, 2 lock
     std::int32_t preserve_topology;
     std::int32_t avoid_self_intersections; ///< 1: no more faces cross than before
+    std::int32_t clean_input; ///< 1: weld open borders, drop degenerate and duplicate faces, loose vertices
+    double weld_distance;     ///< percent of the bounding box's diagonal, [0, 100]; 0: equal coordinates
     std::int32_t measure_error;
     std::int32_t threads;    ///< 0: all; the result does not depend on it
     double cost_limit;       ///< no collapse costs more, in the mesh's unit of length^4; 0: no limit
@@ -61,7 +63,7 @@ struct laplacian_simplify_step {
 
 /// The outcome. The arrays belong to \c storage: laplacian_simplify_release frees them.
 struct laplacian_simplify_result {
-    std::uint64_t vertex_count; ///< vertices of no face stay where they are
+    std::uint64_t vertex_count; ///< vertices of no face stay where they are, without clean_input
     std::uint64_t face_count;
     const double* positions;
     const std::uint32_t* faces;
@@ -81,6 +83,9 @@ struct laplacian_simplify_result {
     std::uint64_t self_intersections;           ///< pairs of faces that cross
     std::int32_t has_self_intersections_before; ///< 0: none of the result did, so they were not counted
     std::uint64_t self_intersections_before;
+    std::int32_t has_cleaning; ///< 0: the input was taken as it is
+    std::uint64_t welded_vertices;
+    std::uint64_t dropped_faces;
     std::int32_t has_certificate; ///< 0: there was no bound, or it could not be proven
     double certified_error;       ///< percent of the bounding box's diagonal
     double seconds;

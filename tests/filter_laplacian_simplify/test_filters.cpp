@@ -191,6 +191,8 @@ class TestFilters : public QObject
     void stoppedDecimationSaysSo();
     void logTellsWhatBecameOfTheFaces();
     void logTellsWhyTheTargetWasMissed();
+    void soupIsWelded();
+    void differentColorsStayApart();
     void progressIsThrottled();
     void percentilesAreThoseOfTheSortedValues();
     void descriptorChangesOnlyTheSelection();
@@ -352,13 +354,37 @@ void TestFilters::logTellsWhyTheTargetWasMissed()
              std::string("target of 1,200 faces not reached: no further collapse is possible without damage "
                          "(flipped faces, non-manifold edges, changes to locked parts)"));
     PlainHost soup(Soup(test_meshes::Icosphere(2)));
-    soup.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}});
+    soup.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}, {"clean_input", false}});
     QCOMPARE(soup.log.front().substr(soup.log.front().find("target")),
              std::string("target of 32 faces not reached: most faces are not connected; "
-                         "apply \"Merge Close Vertices\" first"));
+                         "turn on \"Clean the input\", or set a \"Weld distance\""));
     report.stopReason = vcg_ext::StopReason::ErrorBound;
     QCOMPARE(StopDescription(report, 500),
              std::string("error bound reached: every further collapse would exceed it"));
+}
+
+void TestFilters::soupIsWelded()
+{
+    PlainHost soup(Soup(test_meshes::Icosphere(2)));
+    vcg::tri::Allocator<PlainMesh>::AddVertex(soup.Mesh(), vcg::Point3f(9, 9, 9)); // on no face
+    const std::map<std::string, GivenValue> values = {{"target_percent", 10.0}};
+    const Report report = soup.Apply(FilterId::GuidedDecimation, values);
+    PlainHost closed(test_meshes::Icosphere(2));
+    closed.Apply(FilterId::GuidedDecimation, values);
+    QCOMPARE(Get<int>(report, "welded_vertices"), 3 * 320 - 162);
+    QCOMPARE(Get<int>(report, "dropped_faces"), 0);
+    QCOMPARE(Get<int>(report, "boundary_edges"), 0);
+    QVERIFY(Get<bool>(report, "target_reached"));
+    QCOMPARE(soup.Mesh().vn, closed.Mesh().vn);
+    QCOMPARE(soup.Mesh().fn, closed.Mesh().fn);
+}
+
+void TestFilters::differentColorsStayApart()
+{
+    PlainHost host(Soup(test_meshes::Icosphere(2)));
+    host.Mesh().vert[0].C() = vcg::Color4b(1, 2, 3, 255);
+    const Report report = host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}});
+    QCOMPARE(Get<int>(report, "welded_vertices"), 3 * 320 - 162 - 1);
 }
 
 void TestFilters::progressIsThrottled()

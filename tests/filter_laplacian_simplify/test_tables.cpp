@@ -146,6 +146,7 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                            "effort",        "descriptor",
                                            "boundary",      "preserve_topology",
                                            "selected_only", "avoid_self_intersections",
+                                           "clean_input",   "weld_distance",
                                            "new_layer",     "measure_error",
                                            "order",         "threads"};
     QTest::addRow("weighted") << FilterId::WeightedDecimation
@@ -188,6 +189,8 @@ void TestTables::returnedKeysAreThoseOfTheContract_data()
                                            "boundary_edges",
                                            "self_intersections",
                                            "self_intersections_before",
+                                           "welded_vertices",
+                                           "dropped_faces",
                                            "certified_error",
                                            "seconds"};
 }

@@ -42,6 +42,8 @@ struct DecimationParameters {
     bool preserveTopology = false;      ///< full link condition: handles and holes stay
     bool avoidSelfIntersections = true; ///< no more faces cross each other than before
     Order order = Order::Sweeps;
+    bool cleanInput = true;   ///< weld open borders, drop degenerate and duplicate faces first: CleanedInput
+    double weldDistance = 0;  ///< of cleanInput, percent of the diagonal, [0, 100]; 0: equal coordinates
     int threads = 0;          ///< 0: all; the result does not depend on it
     bool measureError = true; ///< fill DecimationReport::distances
     Progress progress;        ///< may be empty

@@ -47,6 +47,9 @@ inline void CheckParameters(const DecimationParameters& parameters)
     const double error = parameters.maxError;
     if (!(error >= 0 && error <= 100))
         throw std::invalid_argument("max_error = " + std::to_string(error) + " is outside [0, 100]");
+    const double weld = parameters.weldDistance;
+    if (!(weld >= 0 && weld <= 100))
+        throw std::invalid_argument("weld_distance = " + std::to_string(weld) + " is outside [0, 100]");
     if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is less than 1");
     if (parameters.threads < 0)
         throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is less than 0");
@@ -291,6 +294,29 @@ inline PipelineStages StagesOf(Effort effort)
     return stages;
 }
 
+/// Runs on what is left of a mesh when it has been cleaned, and names faces as the input does.
+/// \param run called as run(view), returns a Simplification
+/// \throws std::invalid_argument if no face is left
+template <class Run>
+Simplification OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
+{
+    if (!parameters.cleanInput) return run(view);
+    const double distance =
+        parameters.weldDistance > 0 ? parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit : 0;
+    const CleanedInput clean(view, distance, parameters.threads);
+    if (clean.View().faceCount == 0)
+        throw std::invalid_argument("all " + std::to_string(view.faceCount) +
+                                    " faces are degenerate: each has the same vertex at two corners");
+    Simplification result = run(clean.View());
+    for (std::uint32_t& face : result.mesh.faceOrigin) face = clean.FaceOrigin(face);
+    result.report.facesBefore = view.faceCount;
+    if (result.report.stopReason == StopReason::Cancelled)
+        result.report.faces = view.faceCount;
+    else
+        result.report.cleaning = clean.Report();
+    return result;
+}
+
 /// The sweep engine from a mesh to its report.
 inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
@@ -320,7 +346,7 @@ inline Simplification Simplify(const MeshView& view, const DecimationParameters&
     CheckMesh(view);
     if (parameters.order == Order::Strict)
         throw std::invalid_argument("order = strict needs vcg_ext/decimate.h");
-    return RunSweeps(view, parameters);
+    return OnCleanInput(view, parameters, [&](const MeshView& mesh) { return RunSweeps(mesh, parameters); });
 }
 
 } // namespace vcg_ext

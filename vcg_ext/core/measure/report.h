@@ -10,6 +10,7 @@
 
 #include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/measure/distances.h"
+#include "vcg_ext/core/mesh/clean_input.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 
@@ -56,6 +57,7 @@ struct DecimationReport {
     StopReason stopReason = StopReason::Target;
     std::optional<DistanceReport> distances;
     EdgeCounts edges;
+    std::optional<CleaningReport> cleaning; ///< nothing where the input was taken as it is
     /// Percent of the original's diagonal: no point of either surface is farther from the other, which is
     /// proven. Nothing where no bound was asked for, or none could be proven.
     std::optional<double> certifiedError;

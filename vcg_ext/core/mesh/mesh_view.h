@@ -22,6 +22,8 @@ struct MeshView {
     std::size_t faceCount = 0;
     const std::uint8_t* fixedVertices =
         nullptr; ///< one byte a vertex, not 0: never moves and stays; may be null
+    const std::uint32_t* vertexKeys =
+        nullptr; ///< one number a vertex: vertices with different ones are never welded; may be null
     bool sharedSeams =
         false; ///< fixed vertices are those of other meshes, too, that are simplified at the
                ///< same time: no new edge joins two of them, as another mesh might make it, too

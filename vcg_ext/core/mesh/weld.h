@@ -33,6 +33,11 @@ inline std::uint64_t HashOf(const std::array<double, 3>& p)
     return hash;
 }
 
+inline std::uint32_t KeyOf(const MeshView& view, std::size_t vertex)
+{
+    return view.vertexKeys ? view.vertexKeys[vertex] : 0;
+}
+
 /// Of every vertex whether it is an end of an edge of one face. \param among only edges with such an end
 /// count; empty: all
 inline std::vector<bool> OnBorder(const MeshView& view, const std::vector<bool>& among)
@@ -88,10 +93,11 @@ class VertexGrid
 
     void Insert(std::uint32_t vertex, const std::array<double, 3>& p) { cells_[CellOf(p)].push_back(vertex); }
 
-    /// The lowest vertex of the grid within the distance; \p otherwise where there is none.
-    std::uint32_t LowestNear(const MeshView& view, const std::array<double, 3>& p,
-                             std::uint32_t otherwise) const
+    /// The lowest vertex of the grid within the distance of a vertex; itself where there is none.
+    std::uint32_t LowestNear(const MeshView& view, std::uint32_t vertex) const
     {
+        const auto p = view.Position(vertex);
+        const std::uint32_t key = KeyOf(view, vertex);
         const Cell center = CellOf(p);
         std::uint32_t lowest = ~0U;
         for (int n = 0; n < 27; ++n) {
@@ -100,10 +106,11 @@ class VertexGrid
             if (cell == cells_.end()) continue;
             for (const std::uint32_t v : cell->second) {
                 const auto q = view.Position(v);
-                if (std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]) <= side_) lowest = std::min(lowest, v);
+                if (KeyOf(view, v) == key && std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]) <= side_)
+                    lowest = std::min(lowest, v);
             }
         }
-        return lowest == ~0U ? otherwise : lowest;
+        return lowest == ~0U ? vertex : lowest;
     }
 };
 
@@ -119,7 +126,9 @@ inline std::vector<std::uint32_t> WeldedVertices(const MeshView& view, double di
     const int useful = UsefulThreadCount(threads, view.faceCount);
     const auto first = FirstEqual(
         useful, view.vertexCount, [&](std::size_t v) { return HashOf(view.Position(v)); },
-        [&](std::size_t a, std::size_t b) { return view.Position(a) == view.Position(b); });
+        [&](std::size_t a, std::size_t b) {
+            return view.Position(a) == view.Position(b) && KeyOf(view, a) == KeyOf(view, b);
+        });
     if (first.empty() && !(distance > 0)) return {};
     std::vector<bool> doubled;
     if (!(distance > 0)) {
@@ -138,9 +147,8 @@ inline std::vector<std::uint32_t> WeldedVertices(const MeshView& view, double di
             weld[v] = v;
             if (!border[v] || !(distance > 0 || doubled[v])) continue;
             if (distance > 0) {
-                const auto p = view.Position(v);
-                if (!fixed) weld[v] = grid.LowestNear(view, p, v);
-                if (weld[v] == v) grid.Insert(v, p);
+                if (!fixed) weld[v] = grid.LowestNear(view, v);
+                if (weld[v] == v) grid.Insert(v, view.Position(v));
             } else {
                 std::uint32_t& taken = takes[first[v]]; // by the first of the group that may be welded to
                 if (taken == ~0U) taken = v;

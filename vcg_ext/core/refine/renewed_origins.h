@@ -91,13 +91,13 @@ class FreeOrigins
     template <class Visit>
     void ForEachFaceAround(SurfacePlace place, const Visit& visit)
     {
-        constexpr std::size_t kMaxFaces = 4096;
+        constexpr std::size_t kMaxFacesAround = 4096;
         const std::uint32_t first = FirstFace(place);
         if (first == kNone) return;
         ++search_;
         queue_.assign(1, first);
         seenIn_[first] = search_;
-        for (std::size_t i = 0; i < queue_.size() && i < kMaxFaces; ++i) {
+        for (std::size_t i = 0; i < queue_.size() && i < kMaxFacesAround; ++i) {
             const std::uint32_t face = queue_[i];
             if (!visit(faceOrder_.empty() ? face : faceOrder_[face])) return;
             for (const std::uint32_t v : original_.triangles[face].v)
