@@ -98,17 +98,14 @@ std::vector<std::uint32_t> AttributeKeys(const Mesh& mesh)
     keys.reserve(mesh.vert.size());
     for (const auto& vertex : mesh.vert) {
         std::uint64_t key = 0;
-        if constexpr (Mesh::VertexType::HasColor())
-            if (color)
-                for (int k = 0; k < 4; ++k) key = key << 8U | vertex.cC()[k];
-        if constexpr (Mesh::VertexType::HasTexCoord()) {
-            if (texture) {
-                const std::array<float, 2> uv{static_cast<float>(vertex.cT().U()),
-                                              static_cast<float>(vertex.cT().V())};
-                std::uint64_t bits = 0;
-                std::memcpy(&bits, uv.data(), sizeof bits);
-                key = Mixed(Mixed(key + bits) + static_cast<std::uint64_t>(vertex.cT().N()));
-            }
+        if (color)
+            for (int k = 0; k < 4; ++k) key = key << 8U | vertex.cC()[k];
+        if (texture) {
+            const std::array<float, 2> uv{static_cast<float>(vertex.cT().U()),
+                                          static_cast<float>(vertex.cT().V())};
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, uv.data(), sizeof bits);
+            key = Mixed(Mixed(key + bits) + static_cast<std::uint64_t>(vertex.cT().N()));
         }
         keys.push_back(static_cast<std::uint32_t>(key));
     }
