@@ -85,15 +85,40 @@ def test_a_selection_is_simplified_as_in_the_filter(selected_only: bool | None) 
     assert_same_as_filter(ls.simplify(vertices, faces, selected=selected, **options), mesh_set, report)
 
 
-def test_loose_vertices_stay_as_in_the_filter() -> None:
+@pytest.mark.parametrize("clean_input", [True, False])
+def test_loose_vertices_go_with_the_rest_that_is_unclean_as_in_the_filter(clean_input: bool) -> None:
     vertices, faces = wave()
     vertices = np.insert(vertices, [0, 100, len(vertices)], [[7.0, 8.0, 9.0], [1e3, 0, 0], [0, 0, -5]], axis=0)
     faces = faces + 1 + (faces >= 100)
     mesh_set = mesh_set_of(vertices, faces)
-    report = ls.simplify(mesh_set, target_percent=10)
-    result = ls.simplify(vertices, faces, target_percent=10)
+    options = {"target_percent": 10, "clean_input": clean_input}
+    report = ls.simplify(mesh_set, **options)
+    result = ls.simplify(vertices, faces, **options)
     assert_same_as_filter(result, mesh_set, report)
-    assert {0, 101, len(vertices) - 1} <= set(result.vertex_origin)
+    assert {0, 101, len(vertices) - 1} & set(result.vertex_origin) == (
+        set() if clean_input else {0, 101, len(vertices) - 1}
+    )
+
+
+def test_soup_is_welded() -> None:
+    vertices, faces = wave()
+    options = {"target_percent": 10, "measure_error": False}
+    soup = ls.simplify(vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3), **options)
+    assert soup.report.target_reached
+    assert soup.report.welded_vertices == faces.size - len(vertices)
+    assert soup.report.boundary_edges == ls.simplify(vertices, faces, **options).report.boundary_edges
+
+
+def test_borders_within_the_weld_distance_are_joined() -> None:
+    vertices, faces = wave()
+    other = vertices + [vertices[:, 0].max() - vertices[:, 0].min() + 1e-4, 0, 0]
+    other[:, 2] = 0  # the borders are as close as they are flat
+    vertices = np.concatenate([np.where([True, True, False], vertices, 0), other])
+    faces = np.concatenate([faces, faces + len(other)])
+    options = {"target_percent": 50, "measure_error": False}
+    welded = ls.simplify(vertices, faces, weld_distance=0.1, **options).report
+    assert welded.welded_vertices > 10
+    assert welded.boundary_edges < ls.simplify(vertices, faces, **options).report.boundary_edges
 
 
 @pytest.mark.parametrize("vertex_type", [np.float32, np.float64, ">f4", ">f8"])
