@@ -111,7 +111,7 @@ def test_soup_is_welded() -> None:
 
 def test_borders_within_the_weld_distance_are_joined() -> None:
     vertices, faces = wave()
-    other = vertices + [vertices[:, 0].max() - vertices[:, 0].min() + 1e-4, 0, 0]
+    other = np.add(vertices, [np.ptp(vertices[:, 0]) + 1e-4, 0, 0])
     other[:, 2] = 0  # the borders are as close as they are flat
     vertices = np.concatenate([np.where([True, True, False], vertices, 0), other])
     faces = np.concatenate([faces, faces + len(other)])

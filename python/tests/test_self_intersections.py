@@ -26,7 +26,7 @@ def sheets() -> Arrays:
     a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]))
     faces = np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
     points = np.column_stack([x, y, 3 * np.sin(x / 4) * np.cos(y / 5)])
-    return np.vstack([points, points + [0, 0, 0.1]]), np.vstack([faces, faces + len(points)])
+    return np.vstack([points, np.add(points, [0, 0, 0.1])]), np.vstack([faces, faces + len(points)])
 
 
 def crossing_pairs(vertices: np.ndarray, faces: np.ndarray) -> int:

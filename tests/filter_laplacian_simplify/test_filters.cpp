@@ -354,7 +354,7 @@ void TestFilters::logTellsWhyTheTargetWasMissed()
              std::string("target of 1,200 faces not reached: no further collapse is possible without damage "
                          "(flipped faces, non-manifold edges, changes to locked parts)"));
     PlainHost soup(Soup(test_meshes::Icosphere(2)));
-    soup.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}, {"clean_input", false}});
+    soup.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}, {"clean_input", 0.0}});
     QCOMPARE(soup.log.front().substr(soup.log.front().find("target")),
              std::string("target of 32 faces not reached: most faces are not connected; "
                          "turn on \"Clean the input\", or set a \"Weld distance\""));
