@@ -176,14 +176,23 @@ class TestSimplify : public QObject
         }
     }
 
-    void everythingMayVanish()
+    void meshOfDegenerateFacesIsRefused()
     {
         IndexedMesh segments; // faces that name a vertex twice
         segments.points = {{0, 0, 0}, {1, 0, 0}};
         segments.AddTriangle(0, 1, 1);
-        const Simplification result = Simplify(View(segments), Target(1));
-        QCOMPARE(result.report.faces, std::size_t{0});
-        QVERIFY(!result.report.distances);
+        for (const bool clean : {true, false}) {
+            DecimationParameters parameters = Target(1);
+            parameters.cleanInput = clean;
+            QVERIFY_EXCEPTION_THROWN(Simplify(View(segments), parameters), std::invalid_argument);
+        }
+    }
+
+    void weldingEverythingIsRefused()
+    {
+        DecimationParameters parameters = Target(1);
+        parameters.weldDistance = 100;
+        QVERIFY_EXCEPTION_THROWN(Simplify(View(Grid(3, 3)), parameters), std::invalid_argument);
     }
 };
 

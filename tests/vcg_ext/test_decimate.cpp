@@ -347,7 +347,8 @@ class TestDecimation : public QObject
         parameters.effort = effort;
         const MeshView view = test_meshes::View(mesh);
         const auto crossings = [&] {
-            return CrossingKeeper(view, 1).Find(Decimate(view, parameters).mesh).size();
+            const DecimationParameters& ofArrays = parameters;
+            return CrossingKeeper(view, 1).Find(Decimate(view, ofArrays).mesh).size();
         };
         QCOMPARE(crossings(), std::size_t{0});
         parameters.avoidSelfIntersections = false;

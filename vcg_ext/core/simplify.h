@@ -62,6 +62,9 @@ inline void CheckParameters(const DecimationParameters& parameters)
 inline void CheckMesh(const MeshView& view)
 {
     if (view.faceCount == 0) throw std::invalid_argument("the mesh has no faces");
+    if (!HasSoundFace(view))
+        throw std::invalid_argument("all " + std::to_string(view.faceCount) +
+                                    " faces are degenerate: each has the same vertex at two corners");
     if (const std::size_t bad = CountNonFinite(view))
         throw std::invalid_argument("the coordinates of " + std::to_string(bad) + " of " +
                                     std::to_string(view.vertexCount) + " vertices are not finite");
@@ -305,8 +308,8 @@ Simplification OnCleanInput(const MeshView& view, const DecimationParameters& pa
         parameters.weldDistance > 0 ? parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit : 0;
     const CleanedInput clean(view, distance, parameters.threads);
     if (clean.View().faceCount == 0)
-        throw std::invalid_argument("all " + std::to_string(view.faceCount) +
-                                    " faces are degenerate: each has the same vertex at two corners");
+        throw std::invalid_argument("weld_distance = " + std::to_string(parameters.weldDistance) +
+                                    " leaves no face: every one has two corners that are welded");
     Simplification result = run(clean.View());
     for (std::uint32_t& face : result.mesh.faceOrigin) face = clean.FaceOrigin(face);
     result.report.facesBefore = view.faceCount;

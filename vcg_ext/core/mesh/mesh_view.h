@@ -51,6 +51,16 @@ struct MeshView {
     }
 };
 
+/// Whether a face has three different vertices.
+inline bool HasSoundFace(const MeshView& view)
+{
+    for (std::size_t f = 0; f < view.faceCount; ++f) {
+        const std::uint32_t* v = view.triangles + 3 * f;
+        if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0]) return true;
+    }
+    return false;
+}
+
 /// Referenced vertices with a coordinate that is not a finite number.
 inline std::size_t CountNonFinite(const MeshView& view)
 {
