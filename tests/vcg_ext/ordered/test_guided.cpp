@@ -210,8 +210,7 @@ class Ordered : public GuidedCollapse<OrderedMesh>
     }
     std::optional<CollapseAssessment> AssessmentOf(std::uint32_t removed, std::uint32_t survivor)
     {
-        constexpr double kAnything = std::numeric_limits<double>::infinity();
-        return Assess(Vertex(removed), Vertex(survivor), kAnything);
+        return Assess(Vertex(removed), Vertex(survivor));
     }
     /// Of the edge that was priced last with its new vertex at \p x.
     std::optional<double> Penalty(const Vector3<double>& x) const { return PenaltyAt(x); }
