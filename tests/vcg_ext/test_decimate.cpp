@@ -339,9 +339,11 @@ class TestDecimation : public QObject
     {
         QFETCH(Order, order);
         QFETCH(Effort, effort);
-        test_meshes::IndexedMesh sheet = test_meshes::Grid(40, 40);
-        for (auto& p : sheet.points) p[2] = 3 * std::sin(p[0] / 5) * std::cos(p[1] / 6);
-        const auto mesh = test_meshes::Merged(sheet, test_meshes::Moved(sheet, 0, 1, {0, 0, 0.1}));
+        // Two sheets close to each other; equal ones would have equal faces, which do not cross.
+        test_meshes::IndexedMesh sheet = test_meshes::Grid(40, 40), other = test_meshes::Grid(32, 32, 1.25);
+        for (auto* grid : {&sheet, &other})
+            for (auto& p : grid->points) p[2] = 3 * std::sin(p[0] / 5) * std::cos(p[1] / 6);
+        const auto mesh = test_meshes::Merged(sheet, test_meshes::Moved(other, 0, 1, {0, 0, 0.2}));
         MeshDecimationParameters parameters = Target(96);
         parameters.order = order;
         parameters.effort = effort;
