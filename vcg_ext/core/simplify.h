@@ -48,6 +48,10 @@ inline void CheckParameters(const DecimationParameters& parameters)
     if (parameters.targetFaces < 1) throw std::invalid_argument("target_faces = 0 is less than 1");
     if (parameters.threads < 0)
         throw std::invalid_argument("threads = " + std::to_string(parameters.threads) + " is less than 0");
+    const double attributes = parameters.attributeWeight;
+    if (!(attributes >= 0 && attributes <= 100))
+        throw std::invalid_argument("attribute_weight = " + std::to_string(attributes) +
+                                    " is outside [0, 100]");
     if (!(parameters.costLimit >= 0)) throw std::invalid_argument("cost_limit is less than 0");
     if (!(parameters.descriptorScale >= 0)) throw std::invalid_argument("descriptor_scale is less than 0");
 }
@@ -60,6 +64,10 @@ inline void CheckMesh(const MeshView& view)
     if (const std::size_t bad = CountNonFinite(view))
         throw std::invalid_argument("the coordinates of " + std::to_string(bad) + " of " +
                                     std::to_string(view.vertexCount) + " vertices are not finite");
+    if (view.attributes == nullptr) return;
+    if (const std::size_t bad = CountNonFinite(*view.attributes, view.faceCount))
+        throw std::invalid_argument("the attributes of " + std::to_string(bad) + " of " +
+                                    std::to_string(view.faceCount) + " faces are not finite");
 }
 
 /// What is done with a collapsed surface, and when: percent of the time, roughly.
@@ -102,6 +110,7 @@ inline DecimatedMesh RefinedMesh(const MeshView& view, CollapsedSurface& surface
     refinement.threads = threads;
     refinement.progress = progress.Part(stages.collapseEnds, stages.repairBegins);
     refinement.flip = !before; // moves can be taken back one by one
+    if (surface.wedges) surface.simplified.wedges = &*surface.wedges;
     Refine(surface.original, surface.simplified, surface.root, refinement);
     DecimatedMesh mesh = ResultOf(view, surface, stages.bound);
     if (before) stages.bound->TakeBack(mesh, *before);

@@ -108,7 +108,8 @@ inline std::size_t MoveVertices(RefinementState& state, int threads)
     PerThread<VertexMover> movers(state, threads);
     const SurfaceArrays& surface = state.simplified;
     const auto mayMove = [&](std::uint32_t v) {
-        return surface.cornerCount[v] >= kMinFaces && !(surface.flags[v] & (kBorderVertex | kFixedVertex));
+        return surface.cornerCount[v] >= kMinFaces &&
+               !(surface.flags[v] & (kBorderVertex | kFixedVertex | kSeamCorner));
     };
     ForEachStar(surface, state.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
         auto& slot = movers[thread];
