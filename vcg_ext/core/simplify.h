@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/attributes/transfer.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/bound/bound_keeper.h"
@@ -162,6 +163,10 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
         if (stages.repairFolds && tree)
             RepairMesh(view, *tree, result.mesh, parameters.boundary, stages.bound, threads,
                        progress.Part(stages.repairBegins, 100));
+        if (result.mesh.wedges) {
+            if (tree) AttributeTransfer(view, *tree, result.mesh, threads).Run(faceOrder);
+            WriteCornerValues(result.mesh);
+        }
         result.report = CountsOf(view, result.mesh, parameters.targetFaces);
         if (stages.bound) result.report.certifiedError = stages.bound->CertifiedError();
         result.report.trace = std::move(trace);

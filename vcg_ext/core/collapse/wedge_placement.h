@@ -39,6 +39,7 @@ class WedgePlacer
     bool onSeamA_, onSeamB_, corner_;
     std::array<Candidate, 3> candidates_{};
     std::size_t count_ = 0;
+    std::size_t asked_ = 0; ///< how often the trial was, for these candidates
 
   public:
     /// \param threshold what costs more need not be known exactly \pre \p trial has gathered the wedges
@@ -89,6 +90,7 @@ class WedgePlacer
     {
         float cost = EdgeCost(a_, b_, half_, offset, state_.distanceArea);
         if (cost <= threshold_) {
+            ++asked_;
             const std::optional<float> error = trial_.ErrorAt(position, place, along);
             if (!error) {
                 scratch_.refusedBySeams = true;
@@ -162,12 +164,12 @@ class WedgePlacer
             lowest = candidate.cost * *penalty;
             best = &candidate;
         }
-        const bool several = count_ > 1;
-        count_ = 0;
+        const bool askAgain = asked_ > 1; // refused ones, too, have left their values
+        count_ = asked_ = 0;
         if (!best && beyond == kRefusedKey) return std::nullopt;
         if (!best) return PlacedEdge<float>{{}, beyond};
         if (evaluated != best) EvaluateRing(state_, best->position, star_);
-        if (several) trial_.ErrorAt(best->position, best->place, best->along);
+        if (askAgain) trial_.ErrorAt(best->position, best->place, best->along);
         return PlacedEdge<float>{best->position, std::min(lowest, beyond),
                                  best->place == WedgePlace::AtRemoved};
     }
