@@ -81,8 +81,8 @@ class ChartSamples
     Vector3<float> PointOf(const ChartSearch& original, std::uint32_t face, std::size_t k) const
     {
         const std::array<float, 3> w = Weights(static_cast<std::uint32_t>(k));
-        return w[0] * original.Corner(face, 0) + w[1] * original.Corner(face, 1) +
-               w[2] * original.Corner(face, 2);
+        return w[0] * original.CornerAt(face, 0) + w[1] * original.CornerAt(face, 1) +
+               w[2] * original.CornerAt(face, 2);
     }
 
     void Sort(const Buffer<Sample>& found, const Buffer<std::uint32_t>& target, std::size_t faces)

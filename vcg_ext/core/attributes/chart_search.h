@@ -34,6 +34,9 @@ class ChartSearch
     const FaceTree& tree_;
     const std::vector<std::uint32_t>& charts_;
     Buffer<SurfacePoint> points_;
+    Buffer<std::uint32_t> across_; ///< of every edge of every face the face beyond it; may be empty
+
+    static constexpr float kFar = std::numeric_limits<float>::max();
 
   public:
     /// \param tree of the view's faces \param charts of every face; all of them outlive this object
@@ -50,7 +53,26 @@ class ChartSearch
         });
     }
 
-    Vector3<float> Corner(std::uint32_t face, std::size_t k) const
+    /// Lets searches begin with a walk from their hint. \param surface of the same faces, with corner lists
+    void LearnNeighbors(const SurfaceArrays& surface, int threads)
+    {
+        constexpr std::size_t kGrain = 4096;
+        across_.Allocate(3 * surface.FaceCount());
+        ParallelRanges(threads, surface.FaceCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t f = begin; f < end; ++f)
+                for (int k = 0; k < 3; ++k) {
+                    const Corner corner = MakeCorner(static_cast<std::uint32_t>(f), k);
+                    const std::uint32_t v = surface.triangles[f].v[k], w = NextVertex(surface, corner);
+                    std::uint32_t& beyond = across_[3 * f + static_cast<std::size_t>(k)];
+                    beyond = kNone;
+                    for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
+                        if (FaceOf(*c) != f && HasVertex(surface.triangles[FaceOf(*c)], w))
+                            beyond = FaceOf(*c);
+                }
+        });
+    }
+
+    Vector3<float> CornerAt(std::uint32_t face, std::size_t k) const
     {
         const SurfacePoint& p = points_[view_.triangles[3 * std::size_t{face} + k]];
         return {p.x, p.y, p.z};
@@ -58,41 +80,70 @@ class ChartSearch
     /// Along the normal, as long as twice the area.
     Vector3<float> Normal(std::uint32_t face) const
     {
-        const Vector3<float> a = Corner(face, 0);
-        return Cross(Corner(face, 1) - a, Corner(face, 2) - a);
+        const Vector3<float> a = CornerAt(face, 0);
+        return Cross(CornerAt(face, 1) - a, CornerAt(face, 2) - a);
     }
 
     ChartPoint ClosestOf(std::uint32_t face, const Vector3<float>& point) const
     {
-        const Vector3<float> a = Corner(face, 0);
-        const ClosestPoint closest = ClosestOnTriangle(point - a, Corner(face, 1) - a, Corner(face, 2) - a);
+        const Vector3<float> a = CornerAt(face, 0);
+        const ClosestPoint closest =
+            ClosestOnTriangle(point - a, CornerAt(face, 1) - a, CornerAt(face, 2) - a);
         return {face, {closest.weights[0], closest.weights[1], closest.weights[2]}, closest.distance2};
     }
 
     /// The closest point of \p chart where it does not face away from \p normal; of all of the chart where it
-    /// does everywhere; no face where the chart has none. \param hint a face to begin with, or kNone
+    /// does everywhere; no face where the chart has none. \param hint a face near it, or kNone
     ChartPoint Closest(const Vector3<float>& point, const Vector3<float>& normal, std::uint32_t chart,
                        std::uint32_t hint = kNone) const
     {
-        const ChartPoint along = Search(point, &normal, chart, hint);
-        return along.face != kNone ? along : Search(point, nullptr, chart, hint);
+        const auto isOfChart = [&](std::uint32_t face) { return charts_[face] == chart; };
+        const auto facesAlong = [&](std::uint32_t face) {
+            return isOfChart(face) && !(Dot(Normal(face), normal) < 0);
+        };
+        const ChartPoint along = Search(point, facesAlong, hint);
+        return along.face != kNone ? along : Search(point, isOfChart, kNone);
     }
 
   private:
-    ChartPoint Search(const Vector3<float>& point, const Vector3<float>* normal, std::uint32_t chart,
-                      std::uint32_t hint) const
+    template <class Wanted>
+    ChartPoint Search(const Vector3<float>& point, const Wanted& wanted, std::uint32_t hint) const
     {
-        ChartPoint best;
-        const auto visit = [&](std::uint32_t face) {
-            if (charts_[face] != chart || (normal && Dot(Normal(face), *normal) < 0)) return best.distance2;
-            const ChartPoint here = ClosestOf(face, point);
-            // Of equally close faces the first, whatever the order in which they are met.
-            if (here.distance2 < best.distance2 || (here.distance2 == best.distance2 && face < best.face))
-                best = here;
-            return best.distance2;
-        };
-        if (hint != kNone) visit(hint);
-        tree_.ForEachInReach(point, best.distance2, visit);
+        constexpr float kRounding = 1.0001f;
+        ChartPoint near;
+        if (hint != kNone && wanted(hint)) near = WalkFrom(hint, point, wanted);
+        if (near.face != kNone && !across_.empty() && IsBeside(near)) return near;
+        const auto closest =
+            tree_.ClosestWanted(point, near.face != kNone ? near.distance2 * kRounding : kFar, wanted);
+        if (!(closest.distance2 < kFar) || closest.face == near.face) return near;
+        return ClosestOf(closest.face, point);
+    }
+
+    /// So close, for the size of the face, that no other part of the chart can be meant.
+    bool IsBeside(const ChartPoint& at) const
+    {
+        constexpr float kClose = 0.05f; // of twice the area; a fifth of an edge
+        return at.distance2 < kClose * Norm(Normal(at.face));
+    }
+
+    /// From face to face towards the point, as long as that comes closer.
+    template <class Wanted>
+    ChartPoint WalkFrom(std::uint32_t face, const Vector3<float>& point, const Wanted& wanted) const
+    {
+        ChartPoint best = ClosestOf(face, point);
+        if (across_.empty()) return best;
+        for (bool closer = true; closer;) {
+            closer = false;
+            const ChartPoint here = best;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t next = across_[3 * std::size_t{here.face} + k];
+                if (here.weights[(k + 2) % 3] > 0 || next == kNone || !wanted(next)) continue;
+                const ChartPoint there = ClosestOf(next, point);
+                if (!(there.distance2 < best.distance2)) continue;
+                best = there;
+                closer = true;
+            }
+        }
         return best;
     }
 };

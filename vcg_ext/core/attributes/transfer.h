@@ -43,7 +43,7 @@ class AttributeTransfer
     SurfaceArrays surface_; ///< the simplified one, with marks of seams
 
     struct WedgePlace {
-        std::uint32_t vertex = kNone, chart = kNone;
+        std::uint32_t vertex = kNone, chart = kNone, face = kNone; ///< one of its faces
         Vector3<float> normal{0, 0, 0}, inside{0, 0, 0}; ///< of its faces; a sum of ways to their centroids
     };
     std::vector<WedgePlace> places_;
@@ -62,6 +62,7 @@ class AttributeTransfer
     {
         surface_.wedges = &wedges_;
         MarkSeams(surface_);
+        simplified_.LearnNeighbors(surface_, threads);
         FindPlaces();
     }
 
@@ -93,6 +94,7 @@ class AttributeTransfer
                 WedgePlace& place = places_[wedges_.ofFace[f][k]];
                 place.vertex = surface_.triangles[f].v[k];
                 place.chart = wedges_.chart[f];
+                place.face = f;
                 place.normal = place.normal + normal;
                 place.inside = place.inside + (centroid - PositionOf(surface_, place.vertex));
             }
@@ -129,7 +131,8 @@ class AttributeTransfer
     }
     ChartPoint ClosestTo(const WedgePlace& place) const
     {
-        return original_.Closest(PositionOf(surface_, place.vertex), place.normal, place.chart);
+        return original_.Closest(PositionOf(surface_, place.vertex), place.normal, place.chart,
+                                 mesh_.faceOrigin[place.face]);
     }
     /// The same of the faces beside the seam on which the wedge's own faces lie: of a cut inside a chart both
     /// sides are equally close.
