@@ -52,6 +52,8 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
             return missed + "most faces are not connected; apply \"Merge Close Vertices\" first";
         return missed + "no further collapse is possible without damage "
                         "(flipped faces, non-manifold edges, changes to locked parts)";
+    case vcg_ext::StopReason::Seams:
+        return missed + "seams hold the last faces of their charts";
     case vcg_ext::StopReason::Cancelled:
         return "canceled; the mesh is unchanged";
     }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/attributes/measure.h"
 #include "vcg_ext/core/attributes/transfer.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
@@ -129,6 +130,18 @@ inline void RepairMesh(const MeshView& view, const FaceTree& tree, DecimatedMesh
     bound->TakeBackAll(mesh, *before);
 }
 
+/// What can be told of the attributes without a measurement. \pre the mesh has wedges and values
+inline AttributeReport AttributeCounts(const MeshView& view, const DecimatedMesh& mesh,
+                                       const DecimationReport& counts, std::size_t targetFaces)
+{
+    AttributeReport report;
+    report.turnedFaces = CountTurnedFaces(view, mesh);
+    for (const std::uint32_t chart : mesh.wedges->inputChart)
+        if (chart != kNone) report.charts = std::max<std::size_t>(report.charts, std::size_t{chart} + 1);
+    if (counts.stopReason == StopReason::Seams) report.heldFaces = counts.faces - targetFaces;
+    return report;
+}
+
 /// The way from a mesh to its simplification, the same for every collapse:
 ///
 ///     descriptor and weights -> collapse -> refinement -> fold repair -> report
@@ -163,11 +176,12 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
         if (stages.repairFolds && tree)
             RepairMesh(view, *tree, result.mesh, parameters.boundary, stages.bound, threads,
                        progress.Part(stages.repairBegins, 100));
-        if (result.mesh.wedges) {
-            if (tree) AttributeTransfer(view, *tree, result.mesh, threads).Run(faceOrder);
-            WriteCornerValues(result.mesh);
-        }
+        if (result.mesh.wedges && tree) AttributeTransfer(view, *tree, result.mesh, threads).Run(faceOrder);
+        if (result.mesh.wedges) WriteCornerValues(result.mesh);
         result.report = CountsOf(view, result.mesh, parameters.targetFaces);
+        if (result.mesh.wedges)
+            result.report.attributes =
+                AttributeCounts(view, result.mesh, result.report, parameters.targetFaces);
         if (stages.bound) result.report.certifiedError = stages.bound->CertifiedError();
         result.report.trace = std::move(trace);
         result.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -176,9 +190,12 @@ Simplification RunPipeline(const MeshView& view, const DecimationParameters& par
                 const std::vector<double> values = LaplacianDescriptor(view, threads);
                 descriptor.assign(values.begin(), values.end());
             }
+            if (result.mesh.wedges)
+                AttributeMeasure(view, *tree, result.mesh, threads).Measure(*result.report.attributes);
             result.report.distances =
                 MeasureDistances(view, *tree, result.mesh, descriptor, kDistanceSamples, threads);
         }
+        result.mesh.wedges.reset();
     } catch (const Cancelled&) {
         result = {};
         result.mesh.stopReason = result.report.stopReason = StopReason::Cancelled;

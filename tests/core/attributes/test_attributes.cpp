@@ -238,8 +238,8 @@ class TestAttributes : public QObject
                 const auto at = [&](std::size_t k) { return mesh.positions[mesh.triangles[f][k]]; };
                 const double area = (at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) -
                                     (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]);
-                const Point centroid{(at(0)[0] + at(1)[0] + at(2)[0]) / 3, (at(0)[1] + at(1)[1] + at(2)[1]) / 3,
-                                     0};
+                const Point centroid{(at(0)[0] + at(1)[0] + at(2)[0]) / 3,
+                                     (at(0)[1] + at(1)[1] + at(2)[1]) / 3, 0};
                 double value = 0;
                 for (std::size_t k = 0; k < 3; ++k)
                     value += static_cast<double>(mesh.cornerValues[3 * f + k]) / 3;
@@ -357,10 +357,57 @@ class TestAttributes : public QObject
         const Simplification kept = Simplify(painted.View(), parameters);
         QCOMPARE(kept.report.stopReason, StopReason::Seams);
         QVERIFY(!kept.report.targetReached && kept.report.faces >= 16);
+        QCOMPARE(kept.report.attributes->charts, std::size_t{16});
+        QCOMPARE(kept.report.attributes->heldFaces, kept.report.faces - 8);
         parameters.seams = Seams::Ignore;
         const Simplification ignored = Simplify(painted.View(), parameters);
         QCOMPARE(ignored.report.stopReason, StopReason::Target);
         QVERIFY(ignored.report.faces <= 8);
+    }
+
+    /// On a plane where everything is linear nothing differs: no texture is out of place, no value is wrong.
+    /// The tolerance is single precision in the frame of the measurement.
+    void theReportOfALinearMapIsZero()
+    {
+        Painted painted(test_meshes::Grid(20, 20, 0.05),
+                        {ChannelKind::Texture, ChannelKind::Texture, ChannelKind::Scalar}, OneLabel,
+                        [](const Point& p, std::int32_t) {
+                            return std::vector<double>{p[0], p[1], 100 * p[0] + 50 * p[1]};
+                        });
+        auto parameters = Target(40);
+        parameters.measureError = true;
+        const auto report = Simplify(painted.View(), parameters).report;
+        QVERIFY(report.attributes);
+        QCOMPARE(report.attributes->charts, std::size_t{1});
+        QCOMPARE(report.attributes->turnedFaces, std::size_t{0});
+        QCOMPARE(report.attributes->heldFaces, std::size_t{0});
+        QCOMPARE(report.attributes->rms.size(), std::size_t{3});
+        QVERIFY(report.attributes->rms[0] < 1e-5 && report.attributes->rms[2] < 1e-3);
+        QCOMPARE(report.attributes->textures.size(), std::size_t{1});
+        QVERIFY(report.attributes->textures[0].largest < 0.01);
+    }
+
+    /// A texture that no face can follow is out of place somewhere, and less where it guides.
+    void theReportSeesATextureOutOfPlace()
+    {
+        Painted painted(test_meshes::Grid(8, 8, 0.125), kTexture, OneLabel, [](const Point& p, std::int32_t) {
+            return std::vector<double>{p[0], p[1]};
+        });
+        auto parameters = Target(20);
+        parameters.measureError = true;
+        parameters.attributeWeight = 0;
+        std::vector<float>& values = painted.values;
+        for (std::size_t i = 0; i < values.size(); i += 2)
+            values[i] *= values[i]; // u = x^2: no line any more
+        const auto blind = Simplify(painted.View(), parameters).report;
+        parameters.attributeWeight = 1;
+        const auto guided = Simplify(painted.View(), parameters).report;
+        QVERIFY(guided.attributes->textures[0].rms > 0.01);
+        QVERIFY(guided.attributes->textures[0].largest > guided.attributes->textures[0].rms);
+        QVERIFY2(guided.attributes->textures[0].rms < blind.attributes->textures[0].rms,
+                 qPrintable(QString("%1 %2")
+                                .arg(guided.attributes->textures[0].rms)
+                                .arg(blind.attributes->textures[0].rms)));
     }
 
     void refusesWhatItCannotRead()

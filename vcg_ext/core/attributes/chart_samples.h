@@ -16,6 +16,21 @@
 namespace vcg_ext
 {
 
+/// Point \p index of a sequence that covers a triangle evenly: the R2 sequence.
+inline std::array<float, 3> SpreadWeights(std::size_t index)
+{
+    constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+    const auto part = [&](double step) {
+        return std::fmod(0.5 + static_cast<double>(index + 1) * step, 1.0);
+    };
+    double u = part(kFirst), v = part(kSecond);
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    return {static_cast<float>(1 - u - v), static_cast<float>(u), static_cast<float>(v)};
+}
+
 /// Points of the original, each joined to the closest point of its chart of the simplified surface that faces
 /// the same way, in the order of the simplified faces.
 class ChartSamples
@@ -67,14 +82,7 @@ class ChartSamples
     std::array<float, 3> Weights(std::uint32_t index) const
     {
         if (perFace == 1) return {1.0f / 3, 1.0f / 3, 1.0f / 3};
-        constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532; // the R2 sequence
-        const auto part = [&](double step) { return std::fmod(0.5 + (index + 1) * step, 1.0); };
-        double u = part(kFirst), v = part(kSecond);
-        if (u + v > 1) {
-            u = 1 - u;
-            v = 1 - v;
-        }
-        return {static_cast<float>(1 - u - v), static_cast<float>(u), static_cast<float>(v)};
+        return SpreadWeights(index);
     }
 
   private:

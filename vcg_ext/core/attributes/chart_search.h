@@ -93,7 +93,7 @@ class ChartSearch
     }
 
     /// The closest point of \p chart where it does not face away from \p normal; of all of the chart where it
-    /// does everywhere; no face where the chart has none. \param hint a face near it, or kNone
+    /// does everywhere nearby; no face where the chart has none. \param hint a face near it, or kNone
     ChartPoint Closest(const Vector3<float>& point, const Vector3<float>& normal, std::uint32_t chart,
                        std::uint32_t hint = kNone) const
     {
@@ -101,8 +101,20 @@ class ChartSearch
         const auto facesAlong = [&](std::uint32_t face) {
             return isOfChart(face) && !(Dot(Normal(face), normal) < 0);
         };
-        const ChartPoint along = Search(point, facesAlong, hint);
-        return along.face != kNone ? along : Search(point, isOfChart, kNone);
+        const ChartPoint any = Search(point, isOfChart, hint);
+        if (any.face == kNone || facesAlong(any.face)) return any;
+        // The other side of a wall is not much farther than this one and a face; in all of the chart it would
+        // take long to find that there is none.
+        const float reach2 = 4 * any.distance2 + Norm(Normal(any.face));
+        const auto along = tree_.ClosestWanted(point, reach2, facesAlong);
+        return along.distance2 < kFar ? ClosestOf(along.face, point) : any;
+    }
+
+    /// The same whichever way the chart faces.
+    ChartPoint ClosestInChart(const Vector3<float>& point, std::uint32_t chart) const
+    {
+        return Search(
+            point, [&](std::uint32_t face) { return charts_[face] == chart; }, kNone);
     }
 
   private:
@@ -119,11 +131,12 @@ class ChartSearch
         return ClosestOf(closest.face, point);
     }
 
-    /// So close, for the size of the face, that no other part of the chart can be meant.
+    /// Over the inside of the face, and so close for its size that no other part of the chart can be meant.
     bool IsBeside(const ChartPoint& at) const
     {
         constexpr float kClose = 0.05f; // of twice the area; a fifth of an edge
-        return at.distance2 < kClose * Norm(Normal(at.face));
+        return at.weights[0] > 0 && at.weights[1] > 0 && at.weights[2] > 0 &&
+               at.distance2 < kClose * Norm(Normal(at.face));
     }
 
     /// From face to face towards the point, as long as that comes closer.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "vcg_ext/core/attributes/attribute_report.h"
 #include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
@@ -59,8 +60,9 @@ struct DecimationReport {
     /// Percent of the original's diagonal: no point of either surface is farther from the other, which is
     /// proven. Nothing where no bound was asked for, or none could be proven.
     std::optional<double> certifiedError;
-    CollapseTrace trace; ///< of the sweeps
-    double seconds = 0;  ///< wall time of collapse, refinement and fold repair, without the measurement
+    std::optional<AttributeReport> attributes; ///< where the original has some
+    CollapseTrace trace;                       ///< of the sweeps
+    double seconds = 0; ///< wall time of collapse, refinement and fold repair, without the measurement
 };
 
 /// The counts of a result; distances, trace and seconds are left open. \p result has as many faces as \p
