@@ -382,12 +382,12 @@ class TestAttributes : public QObject
         QCOMPARE(report.attributes->turnedFaces, std::size_t{0});
         QCOMPARE(report.attributes->heldFaces, std::size_t{0});
         QCOMPARE(report.attributes->rms.size(), std::size_t{3});
-        QVERIFY(report.attributes->rms[0] < 1e-5 && report.attributes->rms[2] < 1e-3);
+        QVERIFY(report.attributes->rms[0] < 1e-4 && report.attributes->rms[2] < 1e-2);
         QCOMPARE(report.attributes->textures.size(), std::size_t{1});
         QVERIFY(report.attributes->textures[0].largest < 0.01);
     }
 
-    /// A texture that no face can follow is out of place somewhere, and less where it guides.
+    /// A texture that bends on a plane is out of place where it does not guide, and less where it does.
     void theReportSeesATextureOutOfPlace()
     {
         Painted painted(test_meshes::Grid(8, 8, 0.125), kTexture, OneLabel, [](const Point& p, std::int32_t) {
@@ -402,12 +402,9 @@ class TestAttributes : public QObject
         const auto blind = Simplify(painted.View(), parameters).report;
         parameters.attributeWeight = 1;
         const auto guided = Simplify(painted.View(), parameters).report;
-        QVERIFY(guided.attributes->textures[0].rms > 0.01);
-        QVERIFY(guided.attributes->textures[0].largest > guided.attributes->textures[0].rms);
-        QVERIFY2(guided.attributes->textures[0].rms < blind.attributes->textures[0].rms,
-                 qPrintable(QString("%1 %2")
-                                .arg(guided.attributes->textures[0].rms)
-                                .arg(blind.attributes->textures[0].rms)));
+        const TextureDeviation far = blind.attributes->textures[0], near = guided.attributes->textures[0];
+        QVERIFY(far.rms > 0.01 && far.largest > far.rms);
+        QVERIFY2(near.rms < 0.5 * far.rms, qPrintable(QString("%1 %2").arg(near.rms).arg(far.rms)));
     }
 
     void refusesWhatItCannotRead()

@@ -36,6 +36,7 @@ class ChartSearch
     Buffer<SurfacePoint> points_;
     Buffer<std::uint32_t> across_; ///< of every edge of every face the face beyond it; may be empty
 
+    static constexpr float kOnEdge = 1e-4f; ///< a weight that may be 0 but for rounding
     static constexpr float kFar = std::numeric_limits<float>::max();
 
   public:
@@ -135,7 +136,7 @@ class ChartSearch
     bool IsBeside(const ChartPoint& at) const
     {
         constexpr float kClose = 0.05f; // of twice the area; a fifth of an edge
-        return at.weights[0] > 0 && at.weights[1] > 0 && at.weights[2] > 0 &&
+        return at.weights[0] > kOnEdge && at.weights[1] > kOnEdge && at.weights[2] > kOnEdge &&
                at.distance2 < kClose * Norm(Normal(at.face));
     }
 
@@ -150,7 +151,7 @@ class ChartSearch
             const ChartPoint here = best;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t next = across_[3 * std::size_t{here.face} + k];
-                if (here.weights[(k + 2) % 3] > 0 || next == kNone || !wanted(next)) continue;
+                if (here.weights[(k + 2) % 3] > kOnEdge || next == kNone || !wanted(next)) continue;
                 const ChartPoint there = ClosestOf(next, point);
                 if (!(there.distance2 < best.distance2)) continue;
                 best = there;
