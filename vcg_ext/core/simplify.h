@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/attributes/corner_values.h"
 #include "vcg_ext/core/attributes/measure.h"
 #include "vcg_ext/core/attributes/transfer.h"
 #include "vcg_ext/core/base/parallel.h"

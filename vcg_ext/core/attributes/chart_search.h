@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 #include <limits>
 #include <optional>
 
@@ -132,12 +133,14 @@ class ChartSearch
         return ClosestOf(closest.face, point);
     }
 
-    /// Over the inside of the face, and so close for its size that no other part of the chart can be meant.
+    /// Over the inside of the face or of an edge that the walk could not cross, and so close for the size of
+    /// the face that no other part of the chart can be meant. At a vertex the walk may have missed its other
+    /// faces.
     bool IsBeside(const ChartPoint& at) const
     {
         constexpr float kClose = 0.05f; // of twice the area; a fifth of an edge
-        return at.weights[0] > kOnEdge && at.weights[1] > kOnEdge && at.weights[2] > kOnEdge &&
-               at.distance2 < kClose * Norm(Normal(at.face));
+        const int inside = (at.weights[0] > kOnEdge) + (at.weights[1] > kOnEdge) + (at.weights[2] > kOnEdge);
+        return inside >= 2 && at.distance2 < kClose * Norm(Normal(at.face));
     }
 
     /// From face to face towards the point, as long as that comes closer.
