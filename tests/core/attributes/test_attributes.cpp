@@ -182,6 +182,23 @@ class TestAttributes : public QObject
             }
     }
 
+    /// Even where attributes guide nothing, no texture turns over: not on a texture that is bent everywhere.
+    void noTextureTurnsOver()
+    {
+        IndexedMesh sheet = test_meshes::Grid(40, 40, 1.0 / 40);
+        for (Point& p : sheet.points) p[2] = 0.05 * std::sin(20 * p[0]) * std::cos(17 * p[1]);
+        Painted painted(std::move(sheet), kTexture, OneLabel, [](const Point& p, std::int32_t) {
+            return std::vector<double>{p[0] + 0.045 * std::sin(20 * p[1]),
+                                       p[1] + 0.045 * std::sin(20 * p[0])};
+        });
+        auto parameters = Target(100, Effort::Fast);
+        parameters.attributeWeight = 0;
+        for (const std::size_t target : {800U, 300U, 100U}) {
+            parameters.targetFaces = target;
+            QCOMPARE(TurnedFaces(Simplify(painted.View(), parameters).mesh), 0);
+        }
+    }
+
     /// The texture says where each of its points belongs. On a sheet that bends by a tenth, what a face shows
     /// is not farther from there than two edges of the result.
     void theTextureStaysInItsPlace()
