@@ -267,6 +267,30 @@ class TestAttributes : public QObject
         QVERIFY2(error(1) < 0.7 * error(0), qPrintable(QString("%1 %2").arg(error(1)).arg(error(0))));
     }
 
+    /// The values at the vertices are those that fit the whole faces: what a face shows at its center is
+    /// closer to the truth than with the true values at its corners, which lie on one side of every bend.
+    void valuesFitWholeFaces()
+    {
+        const auto color = [](const Point& p) { return 0.5 + 0.2 * (p[0] * p[0] + p[1] * p[1]); };
+        Painted painted(test_meshes::Grid(60, 60, 1.0 / 30), {ChannelKind::Color}, OneLabel,
+                        [&](const Point& p, std::int32_t) { return std::vector<double>{color(p)}; });
+        const DecimatedMesh mesh = Simplify(painted.View(), Target(300)).mesh;
+        double fitted = 0, interpolated = 0;
+        for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+            Point centroid{0, 0, 0};
+            double values = 0, truth = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Point& p = mesh.positions[mesh.triangles[f][k]];
+                for (std::size_t j = 0; j < 3; ++j) centroid[j] += p[j] / 3;
+                values += static_cast<double>(mesh.cornerValues[3 * f + k]) / 3;
+                truth += color(p) / 3;
+            }
+            fitted += std::pow(values - color(centroid), 2);
+            interpolated += std::pow(truth - color(centroid), 2);
+        }
+        QVERIFY2(fitted < 0.4 * interpolated, qPrintable(QString("%1 %2").arg(fitted).arg(interpolated)));
+    }
+
     /// Values never leave the range of the input, of colors and of scalars in their own unit.
     void valuesStayWithinTheirRange()
     {
