@@ -60,6 +60,8 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
                    "most faces are not connected; turn on \"Clean the input\", or set a \"Weld distance\"";
         return missed + "no further collapse is possible without damage "
                         "(flipped faces, non-manifold edges, changes to locked parts)";
+    case vcg_ext::StopReason::Seams:
+        return missed + "seams hold the last faces of their charts";
     case vcg_ext::StopReason::Cancelled:
         return "canceled; the mesh is unchanged";
     }

@@ -29,7 +29,19 @@ enum class Order {
     Strict  ///< VCG's queue (LocalOptimization), one thread
 };
 
-enum class StopReason { Target = 0, ErrorBound = 1, NoLegalCollapse = 2, Cancelled = 3 };
+/// What becomes of seams: edges at which texture, material or color is cut.
+enum class Seams {
+    Keep,  ///< every chart stays, and so does the shape of its border
+    Ignore ///< charts may vanish where the target asks for it; the texture is then wrong there
+};
+
+enum class StopReason {
+    Target = 0,
+    ErrorBound = 1,
+    NoLegalCollapse = 2,
+    Cancelled = 3,
+    Seams = 4 ///< no legal collapse, where without Seams::Keep there would have been
+};
 
 /// What a decimation does. The defaults are those of the filter.
 struct DecimationParameters {
@@ -39,6 +51,9 @@ struct DecimationParameters {
     double featureWeight = 2; ///< lambda of Eq. 6, [0, 50], dimensionless; 0 is plain decimation
     Effort effort = Effort::Balanced;
     Boundary boundary = Boundary::Preserve;
+    double attributeWeight = 1; ///< of MeshView::attributes against the geometry, [0, 100]; 0: they are
+                                ///< transferred and guide nothing
+    Seams seams = Seams::Keep;
     bool preserveTopology = false;      ///< full link condition: handles and holes stay
     bool avoidSelfIntersections = true; ///< no more faces cross each other than before
     Order order = Order::Sweeps;

@@ -137,6 +137,51 @@ class TestCleanInput : public QObject
         QCOMPARE(int{clean.View().fauxEdges[2]}, 2);
     }
 
+    void attributesOfDroppedFacesGoWithThem()
+    {
+        IndexedMesh mesh = Grid(1, 1); // two faces
+        const Triangle first = mesh.triangles[0];
+        mesh.triangles.insert(mesh.triangles.begin() + 1, Triangle{0, 1, 1});
+        mesh.triangles.insert(mesh.triangles.begin(), Triangle{first[1], first[2], first[0]}); // the next one
+        std::vector<float> values; // of corner k of face f: 10 f + k, and -1 minus that
+        const std::vector<std::int32_t> labels{5, 6, 7, 8};
+        for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto value = static_cast<float>(10 * f + k);
+                values.insert(values.end(), {value, -1 - value});
+            }
+        const std::vector<ChannelKind> kinds(2, ChannelKind::Scalar);
+        const CornerAttributes attributes{values.data(), kinds, labels.data()};
+        MeshView view = View(mesh);
+        view.attributes = &attributes;
+        const CleanedInput clean(view, 0, 1);
+        QCOMPARE(clean.View().faceCount, std::size_t{2});
+        const CornerAttributes& kept = *clean.View().attributes;
+        QCOMPARE(kept.kinds, kinds);
+        for (std::uint32_t f = 0; f < 2; ++f) {
+            const std::uint32_t origin = clean.FaceOrigin(f);
+            QCOMPARE(origin, 3 * f); // the first and the last
+            QCOMPARE(kept.Label(f), labels[origin]);
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t j = 0; j < 2; ++j)
+                    QCOMPARE(kept.Corner(f, k)[j], attributes.Corner(origin, k)[j]);
+        }
+    }
+
+    void attributesMayBeLabelsAlone()
+    {
+        IndexedMesh mesh = Grid(1, 1);
+        mesh.triangles.insert(mesh.triangles.begin(), Triangle{0, 1, 1});
+        const std::vector<std::int32_t> labels{5, 6, 7};
+        CornerAttributes attributes;
+        attributes.labels = labels.data();
+        MeshView view = View(mesh);
+        view.attributes = &attributes;
+        const CleanedInput clean(view, 0, 1);
+        QVERIFY(clean.View().attributes->values == nullptr);
+        QCOMPARE(clean.View().attributes->Label(1), 7);
+    }
+
     void bordersWithinTheDistanceAreWelded_data()
     {
         QTest::addColumn<double>("gap");

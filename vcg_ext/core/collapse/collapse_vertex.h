@@ -12,6 +12,8 @@
 #include "vcg_ext/core/collapse/legality.h"
 #include "vcg_ext/core/collapse/placement.h"
 #include "vcg_ext/core/collapse/ring_trial.h"
+#include "vcg_ext/core/collapse/wedge_placement.h"
+#include "vcg_ext/core/collapse/wedge_writer.h"
 
 namespace vcg_ext
 {
@@ -101,10 +103,7 @@ class VertexVisitor
                 KeepLimits(removed, survivor, range, attempt);
             if (attempt.outside) return VisitResult::PutOff;
             if (attempt.cost <= step.threshold) {
-                if (attempt.atRemoved)
-                    Merge(survivor, removed, attempt.placement, step);
-                else
-                    Merge(removed, survivor, attempt.placement, step);
+                Accept(removed, survivor, attempt, range, step);
                 return VisitResult::Collapsed;
             }
             lowest = std::min(lowest, attempt.cost);
@@ -144,8 +143,48 @@ class VertexVisitor
             attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
             return attempt;
         }
-        Place(removed, survivor, step, attempt);
+        if (state_.wedges)
+            PlaceWithWedges(removed, survivor, range, step, attempt);
+        else
+            Place(removed, survivor, step, attempt);
         return attempt;
+    }
+
+    bool IsAlone(const VertexRange& range) const
+    {
+        return range.begin == 0 && range.end == state_.VertexCount();
+    }
+
+    /// Place for a mesh with attributes. \pre the collapse is legal
+    void PlaceWithWedges(std::uint32_t removed, std::uint32_t survivor, const VertexRange& range,
+                         const SweepStep& step, Attempt& attempt)
+    {
+        WedgeTrial trial(state_, workspace_, removed, survivor);
+        const WedgeVerdict verdict = trial.Gather(IsAlone(range));
+        attempt.outside = verdict == WedgeVerdict::Later;
+        if (verdict == WedgeVerdict::Refused) {
+            workspace_.wedges.refusedBySeams = true;
+            attempt.cost = step.everything ? kRefusedKey : std::max(attempt.cost, step.RetryKey());
+        }
+        if (verdict != WedgeVerdict::Allowed) return;
+        WedgePlacer placer(state_, workspace_, trial, removed, survivor, step.threshold);
+        const auto placed = placer.Place(attempt.cost, state_.Has(survivor, kFixedVertex), step.lastResort);
+        attempt.cost = placed ? placed->cost : kRefusedKey;
+        if (!placed) return;
+        attempt.placement = placed->position;
+        attempt.atRemoved = placed->atA;
+    }
+
+    /// May the vertex be at one of TryEndsAndMiddle's places? Leaves the values that its wedges then have.
+    bool WedgesAllow(std::uint32_t removed, std::uint32_t survivor, int place, const Vector3<float>& x)
+    {
+        if (!state_.wedges) return true;
+        WedgeTrial trial(state_, workspace_, removed, survivor);
+        constexpr WedgePlace kPlaces[] = {WedgePlace::AtRemoved, WedgePlace::AtSurvivor,
+                                          WedgePlace::Anywhere};
+        if (place < 2) return trial.MayStayAt(kPlaces[place]) && trial.ErrorAt(x, kPlaces[place]);
+        return WedgePlacer(state_, workspace_, trial, removed, survivor, 0).IsFree() &&
+               trial.ErrorAt(x, kPlaces[place]);
     }
 
     void TryOtherPlacements(const EdgeEnd<float>& a, const EdgeEnd<float>& b, const SweepStep& step,
@@ -203,9 +242,23 @@ class VertexVisitor
         for (const int place : {removedFirst ? 0 : 1, removedFirst ? 1 : 0, 2}) {
             attempt.atRemoved = place == 0;
             attempt.placement = place < 2 ? ends[place] : 0.5F * (ends[0] + ends[1]);
-            if (EvaluateRing(state_, attempt.placement, workspace_.star) && settled()) return true;
+            if (WedgesAllow(removed, survivor, place, attempt.placement) &&
+                EvaluateRing(state_, attempt.placement, workspace_.star) && settled())
+                return true;
         }
         return false;
+    }
+
+    void Accept(std::uint32_t removed, std::uint32_t survivor, const Attempt& attempt,
+                const VertexRange& range, const SweepStep& step)
+    {
+        const std::uint32_t goes = attempt.atRemoved ? survivor : removed;
+        const std::uint32_t stays = attempt.atRemoved ? removed : survivor;
+        if (!state_.wedges) return Merge(goes, stays, attempt.placement, step);
+        WedgeWriter writer(state_, workspace_, removed, survivor);
+        writer.Before(attempt.placement);
+        Merge(goes, stays, attempt.placement, step);
+        writer.After(IsAlone(range), stays);
     }
 
     void Merge(std::uint32_t removed, std::uint32_t survivor, const Vector3<float>& placement,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
@@ -13,6 +14,7 @@
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/surface_wedges.h"
 
 namespace vcg_ext
 {
@@ -38,6 +40,7 @@ struct CollapsedSurface {
     /// The input face of the face that is close to each input vertex, where there was a bound; kNone of those
     /// without faces.
     std::vector<std::uint32_t> coveredBy;
+    std::optional<SurfaceWedges> wedges; ///< of the simplified faces, where the mesh has attributes
     StopReason stopReason = StopReason::Target;
     CollapseTrace trace;
 };
@@ -87,6 +90,11 @@ inline DecimatedMesh ToMesh(const MeshView& input, const CollapsedSurface& surfa
     }
     mesh.triangles.reserve(faces);
     mesh.faceOrigin.reserve(faces);
+    if (surface.wedges) {
+        mesh.wedges = surface.wedges;
+        mesh.wedges->ofFace.clear();
+        mesh.wedges->chart.clear();
+    }
     const Buffer<std::uint32_t> faceAt = ByOrigin(surface.faceOrigin, input.faceCount);
     for (std::uint32_t origin = 0; origin < input.faceCount; ++origin) {
         const std::uint32_t f = faceAt[origin];
@@ -94,6 +102,9 @@ inline DecimatedMesh ToMesh(const MeshView& input, const CollapsedSurface& surfa
         const std::uint32_t* v = surface.simplified.triangles[f].v;
         mesh.triangles.push_back({place[v[0]], place[v[1]], place[v[2]]});
         mesh.faceOrigin.push_back(origin);
+        if (!surface.wedges) continue;
+        mesh.wedges->ofFace.push_back(surface.wedges->ofFace[f]);
+        mesh.wedges->chart.push_back(surface.wedges->chart[f]);
     }
     return mesh;
 }

@@ -191,12 +191,19 @@ struct StarAreas {
     }
 };
 
+/// What the minimum of a cost solves, seen from the edge's midpoint: matrix x offset = right.
+template <class Real>
+struct PlacementEquations {
+    SymmetricMatrix3<Real> matrix;
+    Vector3<Real> right;
+};
+
 /// OptimalOffset with the soft volume plane: of the union of the stars, with G the sum of 2 area n, the plane
 /// that keeps the volume, with weight 3 max(w) |G|^2 / area.
 template <class Real>
-[[gnu::always_inline]] inline Vector3<Real> VolumeAwareOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
-                                                              const Vector3<Real>& half,
-                                                              const StarAreas<Real>& areas)
+[[gnu::always_inline]] inline PlacementEquations<Real>
+VolumeAwareEquations(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b, const Vector3<Real>& half,
+                     const StarAreas<Real>& areas)
 {
     const SymmetricMatrix3<Real> ca = a.weight * a.star;
     const SymmetricMatrix3<Real> cb = b.weight * b.star;
@@ -205,8 +212,21 @@ template <class Real>
     // G.t = (G_b - G_a).half.
     const Real height = weight * Dot(areas.b - areas.a, half);
     const Vector3<Real> both = areas.a + areas.b + areas.edge;
-    const SymmetricMatrix3<Real> matrix = ca + cb + weight * OuterProduct(both);
-    return SolveRegularized(matrix, (cb - ca) * half + height * both, MidpointPull(matrix));
+    return {ca + cb + weight * OuterProduct(both), (cb - ca) * half + height * both};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Vector3<Real> SolvePlacement(const PlacementEquations<Real>& equations)
+{
+    return SolveRegularized(equations.matrix, equations.right, MidpointPull(equations.matrix));
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Vector3<Real> VolumeAwareOffset(const EdgeEnd<Real>& a, const EdgeEnd<Real>& b,
+                                                              const Vector3<Real>& half,
+                                                              const StarAreas<Real>& areas)
+{
+    return SolvePlacement(VolumeAwareEquations(a, b, half, areas));
 }
 
 /// A face of the ring with the new vertex in it.

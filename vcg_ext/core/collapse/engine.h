@@ -16,8 +16,10 @@
 #include "vcg_ext/core/bound/collapse_bound.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/crossing_check.h"
+#include "vcg_ext/core/collapse/extract_wedges.h"
 #include "vcg_ext/core/collapse/initialize.h"
 #include "vcg_ext/core/collapse/load.h"
+#include "vcg_ext/core/collapse/load_wedges.h"
 #include "vcg_ext/core/collapse/schedule.h"
 #include "vcg_ext/core/collapse/start_bound.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
@@ -53,6 +55,8 @@ class CollapseEngine
     StageProgress progress_;
     std::optional<CollapseBound> bound_;
     std::optional<CollapseCrossings> crossings_;
+    std::optional<WedgeSet> wedges_;
+    std::vector<std::uint32_t> inputCharts_;
     std::size_t inputVertices_ = 0;
     CollapsedSurface surface_; ///< what is known of it already
     SweepSchedule schedule_;
@@ -93,6 +97,11 @@ class CollapseEngine
             BuildCornerLists(surface_.simplified);
         }
         if (bound_) KeepCoverage();
+        if (wedges_) {
+            surface_.wedges = ExtractWedges(state_, *wedges_);
+            surface_.wedges->inputChart = std::move(inputCharts_);
+            wedges_.reset();
+        }
         state_.vertices.Release();
         state_.faces.Release();
         state_.corners.Release();
@@ -114,6 +123,7 @@ class CollapseEngine
         state_.sharedSeams = view.sharedSeams;
         state_.keepOriginal = kept.original;
         SweepLoader(view, state_, threads_).Load();
+        if (view.attributes != nullptr) LoadWedges(view, parameters);
         SweepStarter(view, state_, threads_, parameters.boundary, parameters.descriptorScale).Start();
         for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
         surface_.frame = state_.frame;
@@ -122,6 +132,13 @@ class CollapseEngine
         if (kept.original) KeepOriginal();
         if (kept.descriptor && view.guidance == nullptr) KeepDescriptor(view.vertexCount);
         return state_;
+    }
+
+    void LoadWedges(const MeshView& view, const DecimationParameters& parameters)
+    {
+        state_.wedges = &wedges_.emplace();
+        WedgeLoader(*view.attributes, state_, *wedges_, threads_).Load(parameters, view.faceCount);
+        inputCharts_ = ChartsOfInput(state_, *wedges_, view.faceCount);
     }
 
     void KeepBound(const MeshView& view, BoundTask& task)
@@ -212,7 +229,7 @@ class CollapseEngine
             if (to == kNowhere) continue;
             const auto p = state_.Position(static_cast<std::uint32_t>(v));
             simplified.points[to] = {p.x, p.y, p.z, 1};
-            simplified.flags[to] = state_.flags[v] & (kBorderVertex | kFixedVertex | kMovedVertex);
+            simplified.flags[to] = static_cast<std::uint8_t>(state_.flags[v] & ~kMergedVertex);
             surface_.vertexOrigin[to] = state_.origin[v];
         }
         return place;

@@ -10,6 +10,7 @@
 #include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/border_planes.h"
+#include "vcg_ext/core/collapse/seams.h"
 #include "vcg_ext/core/collapse/star_sums.h"
 #include "vcg_ext/core/collapse/state.h"
 #include "vcg_ext/core/parameters.h"
@@ -161,6 +162,11 @@ class SweepStarter
         if (!IsClosed(star)) {
             StartBorder(v, star, sums);
             history = sums.star;
+        }
+        if (state_.Has(v, kSeamVertex)) {
+            const SymmetricMatrix3<float> seams = SeamPlanesAt(state_, *state_.wedges, v);
+            sums.star = sums.star + seams;
+            history = history + seams;
         }
         if (!IsFlat(star, sums.normal)) history = history + CreasesOf(v, star);
         record.SetMatrix(VertexRecord::kStar, sums.star);

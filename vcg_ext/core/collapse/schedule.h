@@ -92,12 +92,14 @@ class SweepSchedule
             if (died > 0)
                 step = NextStep(step, died, target);
             else if (!NextIdleStep(step, target))
-                return StopReason::NoLegalCollapse;
+                return HeldBySeams() ? StopReason::Seams : StopReason::NoLegalCollapse;
         }
         return StopReason::Target;
     }
 
   private:
+    bool HeldBySeams() const { return state_.wedges && state_.wedges->keepSeams && runner_.RefusedBySeams(); }
+
     static double FourthPower(double length) { return length * length * length * length; }
 
     /// Has everything within the limit of the cost been looked at, and hardly anything been left to collapse?

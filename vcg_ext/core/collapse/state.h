@@ -85,6 +85,7 @@ constexpr float kHighestThreshold = 5e37f;
 
 struct CollapseBound;
 struct CollapseCrossings;
+struct WedgeSet;
 
 /// Everything that the collapses read and write. Vertices are in Morton order, faces in the order of their
 /// smallest vertex, so that neighbours in space are neighbours in memory.
@@ -116,6 +117,7 @@ struct SweepState {
     bool sharedSeams = false;               ///< of MeshView
     CollapseBound* bound = nullptr;         ///< what the collapses may not exceed; null: nothing
     CollapseCrossings* crossings = nullptr; ///< where faces may not cross; null: they may everywhere
+    WedgeSet* wedges = nullptr;             ///< the attributes that guide; null: none
 
     std::uint32_t VertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
     Vector3<float> Position(std::uint32_t v) const { return vertices[v].Position(); }

@@ -54,12 +54,22 @@ class SweepRunner
         listsAreCompact_ = false;
         if (state_.bound) ++state_.bound->sweep;
         if (state_.crossings) state_.crossings->isOpen = false;
+        for (Workspace& workspace : workspaces_) workspace.wedges.refusedBySeams = false;
         const std::size_t before = state_.aliveFaces;
         FormBlocks();
+        if (state_.wedges) CountCharts(*state_.wedges);
         SweepBlocks(step, target);
         SweepShiftedBlocks(step, target);
+        if (state_.wedges && blocks_ > 1) CountCharts(*state_.wedges);
         SweepRest(step, target);
         return before - state_.aliveFaces;
+    }
+
+    /// Whether seams have refused anything in the last sweep.
+    bool RefusedBySeams() const
+    {
+        return std::any_of(workspaces_.begin(), workspaces_.end(),
+                           [](const Workspace& workspace) { return workspace.wedges.refusedBySeams; });
     }
 
   private:

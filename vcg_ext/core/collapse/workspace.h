@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
@@ -99,11 +101,26 @@ struct StarScratch {
     }
 };
 
+/// The wedges around an edge that is tried: those of the vertex that would go, then those of the other. Empty
+/// where the mesh has no attributes.
+struct WedgeScratch {
+    std::vector<std::uint32_t> wedge;
+    std::size_t ofRemoved = 0;                       ///< how many are the first vertex's
+    std::vector<std::size_t> group;                  ///< of each: the first of those that it merges with
+    std::vector<std::array<std::uint32_t, 2>> pairs; ///< of the faces on the edge: their wedges at both ends
+    std::array<bool, 2> blocked{}; ///< the new vertex may not be where the first, the second end is
+    std::vector<float> value;      ///< what the wedges have with the new vertex
+    std::vector<float> quadric;
+    std::vector<std::uint32_t> deadFace;
+    bool refusedBySeams = false; ///< something was, that nothing else forbids
+};
+
 /// What one thread needs to itself.
 struct Workspace {
     NeighbourScratch neighbours;
     StarScratch star;
     BoundScratch bound;
+    WedgeScratch wedges;
     CornerArena arena;
 };
 

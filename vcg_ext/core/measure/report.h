@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "vcg_ext/core/attributes/attribute_report.h"
 #include "vcg_ext/core/collapse/trace.h"
 #include "vcg_ext/core/measure/distances.h"
 #include "vcg_ext/core/mesh/clean_input.h"
@@ -64,8 +65,9 @@ struct DecimationReport {
     /// Pairs of faces that cross (crossing_triangles.h). Nothing where nobody asked to avoid them; those of
     /// the original are counted only where the result had any.
     std::optional<std::size_t> selfIntersections, selfIntersectionsBefore;
-    CollapseTrace trace; ///< of the sweeps
-    double seconds = 0;  ///< wall time of collapse, refinement and fold repair, without the measurement
+    std::optional<AttributeReport> attributes; ///< where the original has some
+    CollapseTrace trace;                       ///< of the sweeps
+    double seconds = 0; ///< wall time of collapse, refinement and fold repair, without the measurement
 };
 
 /// The counts of a result; distances, trace and seconds are left open. \p result has as many faces as \p

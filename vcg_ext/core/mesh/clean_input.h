@@ -10,6 +10,7 @@
 
 #include "vcg_ext/core/base/first_equal.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/mesh/corner_attributes.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/weld.h"
 
@@ -34,6 +35,9 @@ class CleanedInput
     std::vector<std::uint32_t> triangles_;  // empty: those of the input
     std::vector<std::uint32_t> faceOrigin_; // of the faces that are left; empty: all are
     std::vector<std::uint8_t> fauxEdges_;
+    CornerAttributes attributes_;
+    std::vector<float> cornerValues_;
+    std::vector<std::int32_t> labels_;
 
   public:
     /// \param weldDistance in the mesh's unit of length: border vertices no farther apart become one; 0:
@@ -112,7 +116,25 @@ class CleanedInput
         view_.triangles = triangles_.data();
         view_.faceCount = faces.size();
         if (view_.fauxEdges) view_.fauxEdges = fauxEdges_.data();
+        if (view_.attributes) KeepAttributes(faces);
         faceOrigin_ = std::move(faces);
+    }
+
+    /// Values and labels go with their faces; corners keep theirs where vertices are welded.
+    void KeepAttributes(const std::vector<std::uint32_t>& faces)
+    {
+        const CornerAttributes& input = *view_.attributes;
+        attributes_ = input;
+        const std::size_t size = 3 * input.Channels();
+        if (input.values) cornerValues_.reserve(size * faces.size());
+        for (const std::uint32_t f : faces) {
+            if (input.values)
+                cornerValues_.insert(cornerValues_.end(), input.Corner(f, 0), input.Corner(f, 0) + size);
+            if (input.labels) labels_.push_back(input.labels[f]);
+        }
+        if (input.values) attributes_.values = cornerValues_.data();
+        if (input.labels) attributes_.labels = labels_.data();
+        view_.attributes = &attributes_;
     }
 };
 

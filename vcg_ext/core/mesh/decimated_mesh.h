@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/surface_wedges.h"
 #include "vcg_ext/core/parameters.h"
 
 namespace vcg_ext
@@ -21,6 +23,10 @@ struct DecimatedMesh {
     std::vector<std::uint32_t> vertexOrigin;             ///< the input vertex that each vertex was
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of positions
     std::vector<std::uint32_t> faceOrigin;               ///< the input face that each face was
+    /// What MeshView::attributes have become: as many numbers a corner, three corners a face. Empty where the
+    /// mesh had none.
+    std::vector<float> cornerValues;
+    std::optional<SurfaceWedges> wedges; ///< while the mesh is being made
     StopReason stopReason = StopReason::Target;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/mesh/wedge_flip.h"
 
 namespace vcg_ext
 {
@@ -60,7 +61,7 @@ inline std::optional<FlippableEdge> FindInnerEdge(const SurfaceArrays& surface, 
 
 /// The same, if its faces have different third corners and it may go: an edge between fixed vertices stays,
 /// and with it every face that has no other corners. None is made between fixed vertices that other meshes
-/// share. That c and d are not neighbours is left to the caller.
+/// share. Seams stay. That c and d are not neighbours is left to the caller.
 inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surface, std::uint32_t v,
                                                       std::uint32_t w)
 {
@@ -73,12 +74,15 @@ inline std::optional<FlippableEdge> FindFlippableEdge(const SurfaceArrays& surfa
     const auto full = [&](std::uint32_t u) { return surface.cornerCount[u] >= CornerCapacity(surface, u); };
     const bool may = edge->c != edge->d && surface.cornerCount[v] > kMinFaces &&
                      surface.cornerCount[w] > kMinFaces && !full(edge->c) && !full(edge->d);
-    return may ? edge : std::nullopt;
+    if (!may || (surface.wedges && !WedgeFlip(surface, edge->atA, edge->atB).IsAllowed()))
+        return std::nullopt;
+    return edge;
 }
 
 /// \pre the edge is as FindFlippableEdge found it, and c and d are not neighbours
 inline void FlipEdge(SurfaceArrays& surface, const FlippableEdge& edge)
 {
+    if (surface.wedges) WedgeFlip(surface, edge.atA, edge.atB).Flip();
     const Corner atB = MakeCorner(edge.First(), kNextIndex[IndexOf(edge.atA)]);
     const Corner atA = MakeCorner(edge.Second(), kNextIndex[IndexOf(edge.atB)]);
     RemoveCorner(surface, edge.b, atB);

@@ -208,6 +208,25 @@ class FaceTree
         return found;
     }
 
+    /// The closest of the faces that are wanted(face), the first of those that are equally close; kFar where
+    /// none is within the root of \p limit2.
+    template <class Wanted>
+    Candidate ClosestWanted(const Vector3<float>& point, float limit2, const Wanted& wanted) const
+    {
+        Candidate best{kFar, 0};
+        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
+            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const Candidate here{distance2[lane], indices[lane]};
+                const bool closer = here.distance2 < best.distance2 ||
+                                    (here.distance2 == best.distance2 && here.face < best.face);
+                if (here.distance2 <= limit2 && closer && wanted(here.face)) best = here;
+            }
+            return limit2 = std::min(limit2, best.distance2);
+        });
+        return best;
+    }
+
     /// Squared distance to one face.
     float Distance2ToFace(std::uint32_t face, const Vector3<float>& point) const
     {

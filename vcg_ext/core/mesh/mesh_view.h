@@ -9,6 +9,8 @@
 #include <cstring>
 #include <vector>
 
+#include "vcg_ext/core/mesh/corner_attributes.h"
+
 namespace vcg_ext
 {
 
@@ -31,6 +33,7 @@ struct MeshView {
         nullptr; ///< descriptor in [0, 1] a vertex; null: the Laplacian descriptor is computed
     const std::uint8_t* fauxEdges = nullptr; ///< one byte a face, bit k: the edge from its vertex k to k + 1
                                              ///< is a polygon's diagonal; may be null
+    const CornerAttributes* attributes = nullptr; ///< that guide and are transferred; may be null
 
     const unsigned char* PositionAddress(std::size_t vertex) const
     {

@@ -30,6 +30,8 @@ struct alignas(16) SurfacePoint {
 };
 static_assert(sizeof(SurfacePoint) == 16, "loaded as one vector of four floats");
 
+struct SurfaceWedges;
+
 struct SurfaceTriangle {
     std::uint32_t v[3];
 };
@@ -63,8 +65,9 @@ struct SurfaceArrays {
     Buffer<std::uint32_t> cornerOffset; ///< one more than vertices: the last is the end of the pool
     Buffer<std::uint32_t> cornerCount;
     Buffer<Corner> corners;
-    Buffer<std::uint8_t> flags; ///< of SurfaceFlag, one byte per vertex
-    bool sharedSeams = false;   ///< of MeshView
+    Buffer<std::uint8_t> flags;      ///< of SurfaceFlag, one byte per vertex
+    bool sharedSeams = false;        ///< of MeshView
+    SurfaceWedges* wedges = nullptr; ///< the attributes of the triangles, where they have any
 
     std::size_t VertexCount() const { return points.size(); }
     std::size_t FaceCount() const { return triangles.size(); }
@@ -73,7 +76,9 @@ struct SurfaceArrays {
 enum SurfaceFlag : std::uint8_t {
     kBorderVertex = 1, ///< on an edge that does not have exactly two faces
     kFixedVertex = 2,  ///< must keep its position (selection, lock)
-    kMovedVertex = 4   ///< simplified surface: is not where the input had it
+    kMovedVertex = 4,  ///< simplified surface: is not where the input had it
+    kSeamVertex = 8,   ///< on a seam of the attributes
+    kSeamCorner = 16   ///< where seams end or meet each other or a border: stays once the collapse is over
 };
 
 /// Walks over the corners of SurfaceArrays.

@@ -18,6 +18,7 @@
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/star.h"
 #include "vcg_ext/core/refine/surface_walk.h"
+#include "vcg_ext/core/refine/wedge_move.h"
 
 namespace vcg_ext
 {
@@ -62,6 +63,8 @@ class VertexMover
         const std::optional<Vector3<float>> best = SolveStep(equations, Regularization(before.sum));
         if (!best) return false;
         Vector3<float> step = Clipped(*best);
+        if (state_.simplified.wedges && !MaySlide(state_.simplified, star_, v, step))
+            step = AlongNormal(star_, step);
         const double gain = std::max(before.sum * static_cast<double>(state_.gainFactor * kMinMoveGain),
                                      static_cast<double>(negligible));
         if (static_cast<double>(Dot(equations.right, step)) < gain) return false;

@@ -44,8 +44,8 @@ std::size_t MoveVertices(RefinementState& state, int threads, const Wanted& want
     PerThread<VertexMover> movers(state, threads);
     const SurfaceArrays& surface = state.simplified;
     const auto mayMove = [&](std::uint32_t v) {
-        return surface.cornerCount[v] >= kMinFaces && !(surface.flags[v] & (kBorderVertex | kFixedVertex)) &&
-               wanted(v);
+        return surface.cornerCount[v] >= kMinFaces &&
+               !(surface.flags[v] & (kBorderVertex | kFixedVertex | kSeamCorner)) && wanted(v);
     };
     ForEachStar(surface, state.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
         auto& slot = movers[thread];

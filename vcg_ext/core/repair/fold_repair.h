@@ -168,7 +168,7 @@ class FoldRepair
     {
         const SurfaceTriangle t = surface_.triangles[face];
         for (const std::uint32_t v : t.v) {
-            if (surface_.flags[v] & kFixedVertex) continue;
+            if (surface_.flags[v] & (kFixedVertex | kSeamCorner)) continue;
             if (!bordersMove && !HasClosedStar(surface_, v, next_, previous_)) continue;
             star_ = {face}; // first, because it decides most often
             ForEachFaceAround(surface_, v, [&](std::uint32_t f) {

@@ -115,12 +115,11 @@ inline void RunPasses(FoldRepair& repair, std::vector<std::uint32_t>& folded, st
 /// the error.
 ///
 /// Edges are flipped and vertices moved, those that have the most favourable effect on the distances between
-/// the surfaces; fixed vertices, locked borders and the number of faces stay. What little cannot be repaired
-/// without doubling the local error stays folded. Vertices on borders that are not locked may move. Flips
-/// give faces other corners: what is stored per wedge does not follow. The bytes of the result do not depend
-/// on the number of threads. \param mesh a decimated \p original, changed in place; vertices that stay keep
-/// their bits \param tree of the original's faces \param threads used as they are
-/// \throws Cancelled \pre finite coordinates
+/// the surfaces; fixed vertices, locked borders, ends of seams and the number of faces stay. What little
+/// cannot be repaired without doubling the local error stays folded. Vertices on borders that are not locked
+/// may move. Wedges follow flips. The bytes of the result do not depend on the number of threads. \param mesh
+/// a decimated \p original, changed in place; vertices that stay keep their bits \param tree of the
+/// original's faces \param threads used as they are \throws Cancelled \pre finite coordinates
 inline FoldRepairReport RepairFolds(const MeshView& original, const FaceTree& tree, DecimatedMesh& mesh,
                                     Boundary boundary, int threads, const StageProgress& progress = {})
 {
@@ -138,6 +137,10 @@ inline FoldRepairReport RepairFolds(const MeshView& original, const FaceTree& tr
         return report;
 
     SurfaceArrays surface = BuildSurfaceArrays(simplified, frame, nullptr, threads);
+    if (mesh.wedges) {
+        surface.wedges = &*mesh.wedges;
+        MarkSeams(surface);
+    }
     MakeRoomForCorners(surface, kFlipRoom);
     const FaceTree simplifiedTree(simplified, frame, threads);
     FoldRepair repair(tree, simplifiedTree, surface);
