@@ -81,10 +81,10 @@ class BoundKeeper
     /// \pre both have the same faces; \p before was accepted
     void TakeBack(DecimatedMesh& moved, const DecimatedMesh& before)
     {
-        constexpr int kRounds = 12;
+        constexpr int kTakeBackRounds = 12;
         if (!certificate_->Proven()) return;
         BoundCertificate certificate = Certify(moved);
-        for (int round = 0; round < kRounds && !certificate.Proven(); ++round) {
+        for (int round = 0; round < kTakeBackRounds && !certificate.Proven(); ++round) {
             std::vector<std::uint32_t> back = CausesOf(certificate, moved, before);
             const auto stayed = [&](std::uint32_t v) { return moved.positions[v] == before.positions[v]; };
             back.erase(std::remove_if(back.begin(), back.end(), stayed), back.end());

@@ -80,7 +80,7 @@ class CrossingKeeper
     /// there. \pre both have the same faces
     void TakeBack(DecimatedMesh& moved, const DecimatedMesh& before) const
     {
-        constexpr int kRounds = 12;
+        constexpr int kTakeBackRounds = 12;
         const std::vector<CrossingPair> present = Find(before);
         for (int round = 0;; ++round) {
             const std::vector<CrossingPair> all = Find(moved);
@@ -88,7 +88,7 @@ class CrossingKeeper
             std::set_difference(all.begin(), all.end(), present.begin(), present.end(),
                                 std::back_inserter(added));
             if (added.empty()) return;
-            if (round == kRounds) moved = before;
+            if (round == kTakeBackRounds) moved = before;
             for (const CrossingPair& pair : added)
                 for (const std::uint32_t f : {pair.first, pair.second})
                     for (const std::uint32_t v : moved.triangles[f]) moved.positions[v] = before.positions[v];
