@@ -129,3 +129,13 @@ def test_ten_lines_and_the_headers_alone(tmp_path: Path, compiler: str, standard
     headers = [Path(word) for word in dependencies.read_text().split() if word.endswith(".h")]
     assert headers
     assert all(header.is_relative_to(PROJECT / "vcg_ext" / "core") for header in headers)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_headers_of_the_core_in_either_order_hide_nothing_of_each_other(tmp_path: Path, backwards: bool) -> None:
+    headers = sorted((PROJECT / "vcg_ext" / "core").rglob("*.h"), reverse=backwards)
+    everything = tmp_path / "everything.cpp"
+    everything.write_text("".join(f'#include "{header.relative_to(PROJECT)}"\n' for header in headers))
+    warnings = ["-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"]
+    done = run("g++", "-std=c++17", "-fopenmp", "-fsyntax-only", *warnings, "-I", PROJECT, everything)
+    assert done.returncode == 0, done.stderr
