@@ -171,10 +171,10 @@ class TestAttributes : public QObject
                     shown.insert(label);
                     for (std::size_t k = 0; k < 3; ++k) {
                         const float* uv = mesh.cornerValues.data() + 2 * (3 * f + k);
-                        QVERIFY(uv[0] >= static_cast<float>(2 * (3 - label % 4)) &&
-                                uv[0] <= static_cast<float>(2 * (3 - label % 4) + 1));
-                        QVERIFY(uv[1] >= static_cast<float>(2 * (3 - label / 4)) &&
-                                uv[1] <= static_cast<float>(2 * (3 - label / 4) + 1));
+                        const auto column = 2 * (3 - label % 4), row = 2 * (3 - label / 4);
+                        QVERIFY(uv[0] >= static_cast<float>(column) &&
+                                uv[0] <= static_cast<float>(column + 1));
+                        QVERIFY(uv[1] >= static_cast<float>(row) && uv[1] <= static_cast<float>(row + 1));
                     }
                 }
                 QCOMPARE(shown.size(), std::size_t{16});
@@ -211,8 +211,9 @@ class TestAttributes : public QObject
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t label = painted.labels[mesh.faceOrigin[f]];
                 const float* uv = mesh.cornerValues.data() + 2 * (3 * f + k);
-                const double x = (static_cast<double>(uv[0]) - 2.0 * (3 - label % 4) + label % 4) / 4;
-                const double y = (static_cast<double>(uv[1]) - 2.0 * (3 - label / 4) + label / 4) / 4;
+                const auto column = label % 4, row = label / 4;
+                const double x = (static_cast<double>(uv[0]) - 2.0 * (3 - column) + column) / 4;
+                const double y = (static_cast<double>(uv[1]) - 2.0 * (3 - row) + row) / 4;
                 const Point& p = mesh.positions[mesh.triangles[f][k]];
                 squares += (p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y);
             }

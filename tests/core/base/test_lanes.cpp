@@ -28,7 +28,7 @@ class TestLanes : public QObject
   private slots:
     void powersOfTwoOfFour()
     {
-        for (std::size_t first : {0, 4}) {
+        for (const std::size_t first : {0U, 4U}) {
             Unsigned4 bytes{};
             for (std::size_t i = 0; i < 4; ++i) bytes[i] = kExponents[first + i];
             const Unsigned4 powers = PowersOfTwo(bytes);

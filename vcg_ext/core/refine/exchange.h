@@ -223,7 +223,7 @@ inline void VertexExchanger::Divide(const ExchangeOffer& offer, const FreedSlots
     fan_.MeasureForward(offer.x, nullptr);
     fan_.MeasureBackward(offer.x, nullptr);
     s.cornerCount[freed.vertex] = 0;
-    for (const std::size_t i : {0, 2}) {
+    for (const std::size_t i : {0U, 2U}) {
         const std::uint32_t face = fan_.faces()[i].face;
         for (int k = 0; k < 3; ++k) RemoveCorner(s, s.triangles[face].v[k], MakeCorner(face, k));
     }
