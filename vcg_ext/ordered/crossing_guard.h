@@ -106,6 +106,7 @@ class CrossingGuard
         }
         std::sort(order.begin(), order.end());
         std::vector<std::uint32_t> alive;
+        alive.reserve(order.size());
         for (const auto& [code, face] : order) alive.push_back(face);
         built_ = alive.size();
         live_.Build(std::move(alive), mesh_.face.size(),

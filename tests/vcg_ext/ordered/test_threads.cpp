@@ -74,8 +74,8 @@ class TestThreads : public QObject
         std::vector<Result> expected;
         expected.reserve(runs.size());
         for (const auto& run : runs) expected.push_back(run());
-        constexpr int kRounds = 4;
-        for (int round = 0; round < kRounds; ++round) {
+        constexpr int kTimes = 4;
+        for (int round = 0; round < kTimes; ++round) {
             std::vector<std::future<Result>> running;
             running.reserve(runs.size());
             for (const auto& run : runs) running.push_back(std::async(std::launch::async, run));
