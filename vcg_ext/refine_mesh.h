@@ -69,8 +69,7 @@ RefinementReport RefineMesh(Mesh& simplified, const Original& original,
     const Frame frame = FrameOf(originalArrays.View());
     const SurfaceArrays before = BuildSurfaceArrays(originalArrays.View(), frame, nullptr, threads);
     SurfaceArrays after = BuildSurfaceArrays(view, frame, nullptr, threads);
-    RefinementReport report =
-        Refine(before, after, NearestVertices(before, after, threads), parameters);
+    RefinementReport report = Refine(before, after, NearestVertices(before, after, threads), parameters);
 
     for (std::uint32_t v = 0; v < after.VertexCount(); ++v) {
         if (!(after.flags[v] & kMovedVertex)) continue;
