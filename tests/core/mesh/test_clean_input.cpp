@@ -93,6 +93,20 @@ class TestCleanInput : public QObject
         QCOMPARE(EdgesOf(clean).nonManifold, std::size_t{0});
     }
 
+    void bordersOfThreeSheetsBecomeOneEdge()
+    {
+        IndexedMesh mesh; // three faces around the edge from 0 to 1 along x, each with vertices of its own
+        for (const Point& tip : {Point{0, 1, 0}, Point{0, -1, 1}, Point{0, -1, -1}}) {
+            const std::size_t first = mesh.points.size();
+            for (const Point& p : {Point{0, 0, 0}, Point{1, 0, 0}, tip}) mesh.points.push_back(p);
+            mesh.AddTriangle(first, first + 1, first + 2);
+        }
+        const CleanedInput clean(View(mesh), 0, 1);
+        QCOMPARE(clean.Report().weldedVertices, std::size_t{4});
+        QCOMPARE(EdgesOf(clean).nonManifold, std::size_t{1});
+        QCOMPARE(EdgesOf(clean).boundary, std::size_t{6});
+    }
+
     void unreferencedVerticesWeldNothing()
     {
         IndexedMesh mesh;
