@@ -24,7 +24,7 @@ Stage = Callable[[str], None]
 
 _BOOT = "import sys, json; sys.path[:] = json.loads(sys.argv[2]); from laplacian_simplify.child import serve; serve()"
 _ERRORS: dict[str, type[Exception]] = {
-    error.__name__: error for error in (OSError, ValueError, RuntimeError, MemoryError, FileNotFoundError)
+    error.__name__: error for error in (OSError, ValueError, RuntimeError, MemoryError, ImportError, FileNotFoundError)
 }
 _DIE_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 
@@ -79,7 +79,7 @@ class Child:
 
         Raises:
             ChildCrashError: the process ended without an answer.
-            OSError, ValueError, RuntimeError: whatever the function raised, with its text.
+            OSError, ValueError, RuntimeError, ImportError: whatever the function raised, with its text.
             subprocess.TimeoutExpired: it did not end in this many seconds; it has been killed.
         """
         try:
@@ -118,7 +118,7 @@ def serve() -> None:
         try:
             function = getattr(import_module(f"laplacian_simplify.{module}"), name)
             answer(result=function(lambda stage: answer(stage=stage), **job["arguments"]))
-        except (OSError, ValueError, RuntimeError, MemoryError) as error:
+        except (OSError, ValueError, RuntimeError, MemoryError, ImportError) as error:
             kind = next(known.__name__ for known in type(error).__mro__ if known.__name__ in _ERRORS)
             answer(type=kind, error=str(error) or type(error).__name__)
         except Exception as error:

@@ -23,7 +23,7 @@ def in_a_process(arguments: dict[str, Any], scratch: str) -> dict[str, Any]:
 
     Raises:
         MeshFileError: the process crashed; the sentence says over which file.
-        OSError, ValueError, RuntimeError: whatever it raised, with its text.
+        OSError, ValueError, RuntimeError, ImportError: whatever it raised, with its text.
         KeyboardInterrupt: a signal came; the process is gone.
     """
     child = Child("work:run", arguments, log=True, standard_input=True, scratch=scratch)

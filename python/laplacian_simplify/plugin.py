@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin that lies in this package, and the pymeshlab that it fits."""
 
+from importlib.util import find_spec
 from pathlib import Path
 
 PYMESHLAB_VERSION = "2025.7.post1"
@@ -11,6 +12,19 @@ PYMESHLAB_VERSION = "2025.7.post1"
 def plugin_path() -> Path:
     """Where the plugin lies."""
     return Path(__file__).parent / "libfilter_laplacian_simplify.so"
+
+
+def require_pymeshlab() -> None:
+    """Refuses to go on where there is no pymeshlab, which arrays do without.
+
+    Raises:
+        ImportError: it says how to get one.
+    """
+    if find_spec("pymeshlab") is None:
+        raise ImportError(
+            "files and mesh sets need pymeshlab, which is not installed: "
+            "python -m pip install 'laplacian-simplify[meshlab]'"
+        )
 
 
 def check_pymeshlab(installed: str) -> None:
@@ -32,11 +46,18 @@ def load() -> None:
     A second call does nothing. Every function of this package calls it.
 
     Raises:
-        ImportError: the installed pymeshlab is not the one that the plugin was built against.
+        ImportError: pymeshlab is not installed, or is not the one that the plugin was built against, or this package
+            was built without the plugin.
     """
     from importlib.metadata import version
 
+    require_pymeshlab()
     check_pymeshlab(version("pymeshlab"))
+    if not plugin_path().exists():
+        raise ImportError(
+            "this laplacian_simplify was built from its sources without MeshLab, for arrays only; "
+            "the wheel has the plugin for files and mesh sets"
+        )
     import pymeshlab
 
     from .tables import filters

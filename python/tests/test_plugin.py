@@ -17,7 +17,7 @@ import laplacian_simplify as ls
 from laplacian_simplify.plugin import check_pymeshlab
 from laplacian_simplify.tables import filters
 
-PROJECT = Path(__file__).parents[1]
+PROJECT = Path(__file__).parents[2]
 
 
 def test_loading_twice_is_loading_once() -> None:
@@ -39,8 +39,27 @@ def test_every_other_pymeshlab_is_refused(version: str) -> None:
 
 def test_the_package_requires_the_version_that_it_checks() -> None:
     project = tomllib.loads((PROJECT / "pyproject.toml").read_text())["project"]
-    assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in project["dependencies"]
-    assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in (requires("laplacian-simplify") or [])
+    assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in project["optional-dependencies"]["meshlab"]
+    assert not [name for name in project["dependencies"] if name.startswith("pymeshlab")]
+    assert f'pymeshlab=={ls.PYMESHLAB_VERSION}; extra == "meshlab"' in (requires("laplacian-simplify") or [])
+
+
+def test_without_pymeshlab_files_are_refused_with_the_way_out(tmp_path: Path) -> None:
+    """Both where the functions are called and in the process that works for the command."""
+    (tmp_path / "pymeshlab.py").write_text("raise AssertionError('imported')")
+    code = (
+        "import importlib.util, sys; import laplacian_simplify as ls; import laplacian_simplify.plugin as plugin\n"
+        "plugin.find_spec = lambda name: None\n"
+        "for call in (ls.load, lambda: ls.simplify('none.ply', target_faces=1), lambda: ls.read_mesh('none.ply')):\n"
+        "    try: call()\n"
+        "    except ImportError as error: print(error)\n"
+    )
+    words = [sys.executable, "-c", code]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines() == 3 * [
+        "files and mesh sets need pymeshlab, which is not installed: "
+        "python -m pip install 'laplacian-simplify[meshlab]'"
+    ]
 
 
 def test_importing_loads_nothing() -> None:
@@ -78,7 +97,7 @@ def test_the_wheel_works_in_a_fresh_environment(wheel: Path, tmp_path: Path) -> 
     subprocess.run([*words, "--ignore-installed", str(wheel)], check=True, capture_output=True)
     (packages / "lent.pth").write_text(lent + "\n")
     command = tmp_path / "fresh" / "bin" / "laplacian-simplify"
-    source, target = PROJECT.parent / "sample_meshes" / "flange.ply", tmp_path / "small.ply"
+    source, target = PROJECT / "sample_meshes" / "flange.ply", tmp_path / "small.ply"
     done = subprocess.run(
         [tmp_path / "fresh" / "bin" / "python", "-I", command, "simplify", source, target, "--faces", "1000"],
         capture_output=True,

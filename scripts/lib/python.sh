@@ -71,7 +71,7 @@ ensure_package() {
 package_is_current() {
     local stamp=$project_package/complete
     [[ -f $stamp && $stamp -nt $cache/hosts/pymeshlab-2025.7/complete ]] &&
-        [[ -z $(find "$top"/{CMakeLists.txt,cmake,vcg_ext,filter_laplacian_simplify,python} \
+        [[ -z $(find "$top"/{CMakeLists.txt,pyproject.toml,cmake,vcg_ext,filter_laplacian_simplify,python} \
             -newer "$stamp" -not -name '*.pyc' -not -name __pycache__ -print -quit) ]]
 }
 
@@ -79,7 +79,7 @@ build_package() {
     rm -rf "$project_package.new"
     build_preset pymeshlab-2025.7
     "$python_environment/bin/python" -m pip --disable-pip-version-check install --no-input --no-deps --no-index \
-        --no-build-isolation --target "$project_package.new" "$top/python"
+        --no-build-isolation --target "$project_package.new" "$top"
     touch "$project_package.new/complete"
     rm -rf "$project_package"
     mv "$project_package.new" "$project_package"

@@ -13,6 +13,7 @@ from typing import Any
 
 from ..files.errors import printable
 from ..files.staging import unwritable
+from ..plugin import require_pymeshlab
 from .inputs import MeshToDo, find_meshes
 from .manifest import Manifest
 
@@ -108,6 +109,7 @@ def _do(
             "python -m pip install 'laplacian-simplify[batch]'"
         ) from None
 
+    require_pymeshlab()
     with TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True) as scratch:
         address = request.scheduler
         with workers_of(address) if address else local_workers(request.workers, scratch) as workers:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..plugin import require_pymeshlab
 from .errors import DamageError
 from .formats import reader_of
 from .handover import to_mesh_set
@@ -44,6 +45,7 @@ def read_mesh(path: str | os.PathLike[str]) -> "pymeshlab.MeshSet":
     Raises:
         OSError: the file is missing, damaged, of an unknown format or holds coordinates that are not finite; the text
             is one line that names the file, the place and the reason.
+        ImportError: pymeshlab is not installed.
     """
     reading = read(path)
     for note in reading.notes:
@@ -53,6 +55,7 @@ def read_mesh(path: str | os.PathLike[str]) -> "pymeshlab.MeshSet":
 
 def read(path: str | os.PathLike[str]) -> Reading:
     """As read_mesh, with notes in place of warnings."""
+    require_pymeshlab()
     with open_source(path) as source:
         data = _checked(source)
         mesh_set = to_mesh_set(data, source)
