@@ -118,13 +118,14 @@ build_deb() {
     chmod 644 "$plugin"
     install -m 644 "$top/packaging/debian/copyright" "$doc/copyright"
     {
-        printf '%s (%s) bookworm; urgency=medium\n\n  * See CHANGELOG.md of the project.\n\n' "$name" "$project_version-1"
-        printf ' -- %s  %s\n' "$maintainer" "$(date -Rud "@$SOURCE_DATE_EPOCH")"
+        printf '%s (%s) bookworm; urgency=medium\n\n  * CHANGELOG.md of the project says what is new.\n\n' "$name" "$project_version-1"
+        printf ' -- %s <>  %s\n' "$maintainer" "$(date -Rud "@$SOURCE_DATE_EPOCH")"
     } | gzip -9n >"$doc/changelog.Debian.gz"
     printf 'Source: %s\n\nPackage: %s\nArchitecture: any\n' "$name" "$name" >"$scratch/debian/control"
     find "$scratch/root" -exec touch -h -d "@$SOURCE_DATE_EPOCH" {} +
-    cpack --config "$top/packaging/debian/CPackConfig.cmake" -D CPACK_PACKAGE_VERSION="$project_version" \
-        -D MAINTAINER="$maintainer" -D STAGE="$scratch/root" -D LIBRARIES="$(library_packages "$scratch" "$plugin")" -B "$scratch/out"
+    DEB_FILES=$scratch/root DEB_MAINTAINER=$maintainer DEB_LIBRARIES=$(library_packages "$scratch" "$plugin") \
+        cpack --config "$top/packaging/debian/CPackConfig.cmake" -D CPACK_PACKAGE_VERSION="$project_version" \
+        -B "$scratch/out"
     cp "$scratch/out"/*.deb "$packages"
 }
 
