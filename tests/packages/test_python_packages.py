@@ -4,6 +4,7 @@
 
 import os
 import shutil
+import sysconfig
 import tarfile
 import zipfile
 from collections.abc import Callable
@@ -100,7 +101,9 @@ def test_the_source_distribution_needs_a_compiler_alone(fresh_environment: Calla
     """No git, no cmake, no Qt and no MeshLab: the path has the compiler and what it calls, the home is empty."""
     tools = tmp_path / "tools"
     tools.mkdir()
-    for name in ("cc", "c++", "gcc", "g++", "as", "ld", "ar", "ranlib", "nm", "strip", "objdump", "uname", "sh"):
+    names = {"cc", "c++", "gcc", "g++", "as", "ld", "ar", "ranlib", "nm", "strip", "objdump", "uname", "sh"}
+    names |= {Path(str(sysconfig.get_config_var(name)).split()[0]).name for name in ("CC", "CXX")}
+    for name in names:
         (tools / name).symlink_to(str(shutil.which(name)))
     (tmp_path / "home").mkdir()
     environment = {"PATH": str(tools), "HOME": str(tmp_path / "home"), "LC_ALL": "C.UTF-8"}
