@@ -42,6 +42,13 @@ inline std::size_t TargetFaces(const Values& values, const MeshFacts& facts)
     return facts.faces - decimated + std::max<std::size_t>(target, 1);
 }
 
+template <class Mesh>
+bool AnyVertexIsSelected(const Mesh& mesh)
+{
+    return std::any_of(mesh.vert.begin(), mesh.vert.end(),
+                       [](const auto& vertex) { return !vertex.IsD() && vertex.IsS(); });
+}
+
 /// Turns the vertex indices of \p result into those of a copy of \p mesh without deleted vertices.
 template <class Mesh>
 void RenumberForCompactCopy(const Mesh& mesh, vcg_ext::DecimatedMesh& result)
@@ -133,6 +140,9 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.order = values.Choice<vcg_ext::Order>("order");
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
+    parameters.lockSelectedVertices = values.Boolean("lock_selected_vertices");
+    if (parameters.lockSelectedVertices && !AnyVertexIsSelected(host.Mesh()))
+        throw std::invalid_argument("lock_selected_vertices = true, but no vertex is selected");
     parameters.cleanInput = values.Boolean("clean_input");
     parameters.weldDistance = values.Real("weld_distance");
     parameters.measureError = values.Boolean("measure_error");

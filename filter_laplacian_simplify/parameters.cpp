@@ -171,6 +171,8 @@ const std::vector<Parameter>& Parameters()
         {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
+        {"lock_selected_vertices", {kGuided}, Type::Boolean, {0}, kSwitch, "", "Lock selected vertices",
+         "Selected vertices neither move nor disappear, to the bit.", {}},
         {"avoid_self_intersections", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
          "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
          "care, which takes several times as long. What could not be kept is reported.", {}},

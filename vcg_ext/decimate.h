@@ -18,7 +18,8 @@ namespace vcg_ext
 
 /// What the simplification of a VCG mesh needs beside the parameters of Simplify.
 struct MeshDecimationParameters : DecimationParameters {
-    bool selectedOnly = false;   ///< faces that are not selected keep their vertices and stay
+    bool selectedOnly = false;         ///< faces that are not selected keep their vertices and stay
+    bool lockSelectedVertices = false; ///< selected vertices neither move nor disappear
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
 };
 
@@ -53,11 +54,10 @@ Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parame
 {
     const MeshArrays<Mesh> arrays(mesh);
     MeshView view = arrays.View();
-    std::vector<std::uint8_t> outside;
-    if (parameters.selectedOnly) {
-        outside = arrays.OutsideSelection(mesh);
-        view.fixedVertices = outside.data();
-    }
+    std::vector<std::uint8_t> fixed;
+    if (parameters.selectedOnly) fixed = arrays.OutsideSelection(mesh);
+    if (parameters.lockSelectedVertices) AddSelectedVertices(mesh, fixed);
+    if (!fixed.empty()) view.fixedVertices = fixed.data();
     const std::vector<std::uint32_t> keys =
         parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
     if (!keys.empty()) view.vertexKeys = keys.data();

@@ -24,6 +24,7 @@ _MESH_SETS_ONLY: dict[str, tuple[int, ...]] = {
     "order": (1,),
     "descriptor": (2, 3),
     "new_layer": (1,),
+    "lock_selected_vertices": (1,),
 }
 _STORED_QUALITY = "vertex_quality"
 

@@ -53,6 +53,7 @@ class SimplifyOptions(FileOptions, total=False):
     """The keywords of simplify but for return_result."""
 
     selected_only: bool | None
+    lock_selected_vertices: bool | None
     new_layer: bool | None
     selected: "NDArray[np.bool_] | None"
     locked: "NDArray[np.bool_] | None"
@@ -83,6 +84,7 @@ def simplify(
     boundary: Boundary | int | None = None,
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
+    lock_selected_vertices: bool | None = None,
     avoid_self_intersections: bool | None = None,
     clean_input: bool | None = None,
     weld_distance: float | None = None,
@@ -118,6 +120,7 @@ def simplify(
         boundary: open borders are free, preserved (default) or locked.
         preserve_topology: keep every handle, hole and component.
         selected_only: only the selected faces are decimated; default where faces are selected.
+        lock_selected_vertices: selected vertices neither move nor disappear; for mesh sets, arrays have locked.
         avoid_self_intersections: no more faces cross each other than before (default); the report says so if that could
             not be kept.
         clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces and vertices
@@ -156,6 +159,7 @@ def simplify(
         "boundary": boundary,
         "preserve_topology": preserve_topology,
         "selected_only": selected_only,
+        "lock_selected_vertices": lock_selected_vertices,
         "avoid_self_intersections": avoid_self_intersections,
         "clean_input": clean_input,
         "weld_distance": weld_distance,

@@ -45,7 +45,7 @@ _COMMANDS = (
 
 SHORT_NAMES = {"target_faces": "--faces", "target_percent": "--percent"}
 _SHORT_HELP = {"target_faces": "number of faces to keep", "target_percent": "percent of the faces to keep"}
-WITHOUT_OPTION = ("new_layer", "selected_only")  # one mesh in, one out; files hold no selection
+WITHOUT_OPTION = ("new_layer", "selected_only", "lock_selected_vertices")  # one mesh in, one out, without a selection
 
 
 def commands() -> tuple[Command, ...]:

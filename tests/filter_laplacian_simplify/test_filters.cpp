@@ -198,6 +198,7 @@ class TestFilters : public QObject
     void descriptorChangesOnlyTheSelection();
     void selectionOfFacesSurvivesTheSelectionOfVertices();
     void decimationKeepsWhatIsNotSelected();
+    void selectedVerticesCanBeLocked();
     void targetPercentIsOfTheSelection();
     void targetAboveTheFacesChangesNothing();
     void newLayerKeepsTheOriginal();
@@ -456,6 +457,29 @@ void TestFilters::decimationKeepsWhatIsNotSelected()
     std::size_t found = 0;
     for (const auto& face : host.Mesh().face) found += !face.IsS() && kept.count(corners(face)) > 0;
     QCOMPARE(found, kept.size());
+}
+
+void TestFilters::selectedVerticesCanBeLocked()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    const std::map<std::string, GivenValue> values = {
+        {"target_percent", 10.0}, {"lock_selected_vertices", 1.0}, {"new_layer", 1.0}};
+    const auto before = Fingerprint(host.Mesh());
+    QCOMPARE(FailureOf(host, FilterId::GuidedDecimation, values),
+             QString("lock_selected_vertices = true, but no vertex is selected"));
+    QVERIFY(Fingerprint(host.Mesh()) == before);
+    std::set<std::vector<float>> locked;
+    const auto position = [](const PlainVertex& v) {
+        return std::vector<float>{v.cP()[0], v.cP()[1], v.cP()[2]};
+    };
+    for (std::size_t v = 0; v < host.Mesh().vert.size(); v += 20) {
+        host.Mesh().vert[v].SetS();
+        locked.insert(position(host.Mesh().vert[v]));
+    }
+    QVERIFY(Get<bool>(host.Apply(FilterId::GuidedDecimation, values), "target_reached"));
+    std::size_t stayed = 0;
+    for (const auto& v : host.Mesh().vert) stayed += locked.count(position(v));
+    QCOMPARE(stayed, locked.size());
 }
 
 void TestFilters::targetPercentIsOfTheSelection()
