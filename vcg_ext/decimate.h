@@ -9,6 +9,7 @@
 #include <vcg/complex/complex.h>
 
 #include "vcg_ext/apply_decimation.h"
+#include "vcg_ext/core/levels.h"
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/decimate.h"
@@ -44,13 +45,21 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
     });
 }
 
-/// Simplifies a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
-///
-/// \param mesh any VCG triangle mesh, float or double; deleted elements, unreferenced vertices, several
-///        components, borders and non-manifold edges are welcome
-/// \throws as Simplify
-template <class Mesh>
-Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
+/// SimplifyLevels, for both orders: in order strict every level is a run of its own.
+/// \throws as Decimate and CheckLevels
+inline std::vector<Simplification>
+DecimateLevels(const MeshView& view, const DecimationParameters& parameters, const std::vector<Level>& levels)
+{
+    if (parameters.order == Order::Sweeps) return SimplifyLevels(view, parameters, levels);
+    CheckLevels(levels);
+    for (const Level& level : levels) CheckParameters(ParametersOf(parameters, level));
+    return EachLevelByItself(parameters, levels,
+                             [&](const DecimationParameters& own) { return Decimate(view, own); });
+}
+
+/// Runs on the arrays of a mesh, with all that the parameters say of it. \param run called as run(view)
+template <class Mesh, class Run>
+auto OnArraysOf(const Mesh& mesh, const MeshDecimationParameters& parameters, const Run& run)
 {
     const MeshArrays<Mesh> arrays(mesh);
     MeshView view = arrays.View();
@@ -62,7 +71,29 @@ Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parame
         parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
     if (!keys.empty()) view.vertexKeys = keys.data();
     if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
-    return Decimate(view, static_cast<const DecimationParameters&>(parameters));
+    return run(view);
+}
+
+/// Simplifies a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
+///
+/// \param mesh any VCG triangle mesh, float or double; deleted elements, unreferenced vertices, several
+///        components, borders and non-manifold edges are welcome
+/// \throws as Simplify
+template <class Mesh>
+Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
+{
+    const DecimationParameters& ofArrays = parameters;
+    return OnArraysOf(mesh, parameters, [&](const MeshView& view) { return Decimate(view, ofArrays); });
+}
+
+/// Levels of detail of a VCG mesh, each applied by ApplyDecimation to a copy. \throws as Decimate
+template <class Mesh>
+std::vector<Simplification> DecimateLevels(const Mesh& mesh, const MeshDecimationParameters& parameters,
+                                           const std::vector<Level>& levels)
+{
+    const DecimationParameters& ofArrays = parameters;
+    return OnArraysOf(mesh, parameters,
+                      [&](const MeshView& view) { return DecimateLevels(view, ofArrays, levels); });
 }
 
 /// The simplification of Zhang et al. (2012): their collapse alone in the pipeline of Simplify, without

@@ -50,11 +50,12 @@ class PlainMesh : public vcg::tri::TriMesh<std::vector<PlainVertex>, std::vector
 class PlainHost
 {
     std::vector<std::unique_ptr<PlainMesh>> layers_;
+    PlainMesh* current_;
 
   public:
     using MeshType = PlainMesh;
 
-    std::vector<std::string> log;
+    std::vector<std::string> log, suffixes;
     int progressCalls = 0;
     int stopAtCall = 0; ///< 0: never
     int geometryChanges = 0;
@@ -62,21 +63,26 @@ class PlainHost
     explicit PlainHost(const test_meshes::IndexedMesh& mesh)
     {
         layers_.push_back(std::make_unique<PlainMesh>());
+        current_ = layers_.front().get();
         test_meshes::Fill(Mesh(), mesh);
         GeometryChanged();
         geometryChanges = 0;
     }
 
-    PlainMesh& Mesh() { return *layers_.back(); }
+    PlainMesh& Mesh() { return *current_; }
     PlainMesh& Original() { return *layers_.front(); }
+    PlainMesh& Layer(std::size_t i) { return *layers_[i]; }
     std::size_t Layers() const { return layers_.size(); }
     void Require(std::uint32_t) {}
-    void ContinueOnCopy()
+    void ContinueOnCopy(const std::string& suffix)
     {
         auto copy = std::make_unique<PlainMesh>();
-        vcg::tri::Append<PlainMesh, PlainMesh>::MeshCopy(*copy, Mesh());
+        vcg::tri::Append<PlainMesh, PlainMesh>::MeshCopy(*copy, Original());
+        current_ = copy.get();
         layers_.push_back(std::move(copy));
+        suffixes.push_back(suffix);
     }
+    void ReturnToOriginal() { current_ = layers_.front().get(); }
     void GeometryChanged()
     {
         ++geometryChanges;
