@@ -94,7 +94,7 @@ const std::vector<Filter>& Filters()
          "Several simplifications of a mesh, each coarser than the one before, as new layers.",
          "Each level is a result of the Laplacian-Guided Quadric Edge Collapse, with all that it promises, refined and "
          "measured against the original, which stays as it is. The collapse of a level goes on where the one before it "
-         "stopped: with effort \"fast\" all levels take little longer than the smallest alone. The layers are named "
+         "stopped; levels with an error bound and those of order \"strict\" are runs of their own. The layers are named "
          "after the mesh and the percentage or the error. Numbers are returned as lists, one number for each level; one "
          "that a level lacks is not a number (NaN).",
          {kZhang2012, kGarland1997, kLindstrom1998},
