@@ -100,9 +100,11 @@ def test_the_range_is_checked_here_and_by_the_plugin_in_the_same_words(row, para
     assert (mesh_set.current_mesh().vertex_matrix() == before).all()
 
 
-def _outside(parameter: Parameter) -> list[float]:
+def _outside(parameter: Parameter) -> list[float] | list[str]:
     if parameter.type == "boolean":
         return []
+    if parameter.type == "numbers":
+        return ["0", f"{parameter.maximum + 1:g}", "nan", "many", "1,,1"]
     values = [parameter.minimum - 1]
     if parameter.maximum < 2**31 - 1:
         values.append(parameter.maximum + 1)
