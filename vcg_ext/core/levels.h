@@ -168,9 +168,9 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
 ///
 /// Without a bound the collapse of a level goes on where that of the level before it stopped; one that would
 /// make faces cross is done again from the original, and those after it go on from there. Levels with a bound
-/// are runs of their own. With effort fast, and without measurement, the levels of a chain take about 1.3
-/// times as long as the finest alone. The first level is to the bit what Simplify returns for it. Where the
-/// run is cancelled every level is as that of a cancelled Simplify.
+/// are runs of their own. With effort fast, and without measurement, levels of 50, 25 and 10 % take about
+/// twice as long as the last one alone, which is less than the sum. The first level is to the bit what
+/// Simplify returns for it. Where the run is cancelled every level is as that of a cancelled Simplify.
 ///
 /// \param parameters targetFaces and maxError are not read
 /// \param levels from the finest to the coarsest; a bound for all of them or for none
