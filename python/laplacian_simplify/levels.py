@@ -68,7 +68,8 @@ def output_names(pattern: str, words: Sequence[str], field: str) -> list[str]:
     names = []
     for i, word in enumerate(words):
         fields = {field: word, "level": str(i + 1)}
-        names.append(_FIELD.sub(lambda found, fields=fields: fields[found[1]], pattern))
+        parts = _FIELD.split(pattern)  # text and fields in turn
+        names.append("".join(fields[part] if k % 2 else part for k, part in enumerate(parts)))
     first: dict[str, int] = {}
     for i, name in enumerate(names):
         other = first.setdefault(os.path.realpath(name), i)
