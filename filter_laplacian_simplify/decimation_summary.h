@@ -3,7 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "number_text.h"
@@ -42,6 +47,32 @@ inline Report ToReport(const vcg_ext::DecimationReport& decimation)
     if (decimation.certifiedError) report.Set("certified_error", *decimation.certifiedError);
     report.Set("seconds", decimation.seconds);
     return report;
+}
+
+/// The numbers of levels of detail: under every id a list, one number a level, NaN where a level has none.
+inline Report ToReport(const std::vector<vcg_ext::DecimationReport>& levels)
+{
+    std::vector<Report> reports;
+    for (const auto& level : levels) reports.push_back(ToReport(level));
+    const auto asReal = [](const auto& value) -> double {
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
+            return static_cast<double>(value);
+        else
+            throw std::logic_error("a decimation reports no lists");
+    };
+    Report all;
+    for (const Result* row : ResultsOf(FilterId::LevelsOfDetail)) {
+        std::vector<double> list(levels.size(), std::numeric_limits<double>::quiet_NaN());
+        bool any = false;
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            for (const auto& [id, value] : reports[i].Entries()) {
+                if (id != row->id) continue;
+                list[i] = std::visit(asReal, value);
+                any = true;
+            }
+        if (any) all.Set(row->id, std::move(list));
+    }
+    return all;
 }
 
 /// Whether a target of \p target faces was reached, and if not, why.

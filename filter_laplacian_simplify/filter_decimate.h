@@ -26,20 +26,37 @@
 namespace laplacian_simplify
 {
 
-/// The number of faces that the whole mesh should have. If only the selection is decimated, the user's target
-/// refers to the selected faces.
+/// The number of faces that targets refer to: the selected ones if only those are decimated.
 /// \throws std::invalid_argument if only the selection should be decimated and no face is selected
-inline std::size_t TargetFaces(const Values& values, const MeshFacts& facts)
+inline std::size_t DecimatedFaces(const Values& values, const MeshFacts& facts)
 {
     const bool selectedOnly = values.Boolean("selected_only");
     if (selectedOnly && facts.selectedFaces == 0)
         throw std::invalid_argument("selected_only = true, but no face is selected");
-    const std::size_t decimated = selectedOnly ? facts.selectedFaces : facts.faces;
+    return selectedOnly ? facts.selectedFaces : facts.faces;
+}
+
+/// Percent of a number of faces, rounded.
+inline std::size_t PercentOf(std::size_t faces, double percent)
+{
+    return static_cast<std::size_t>(std::llround(percent / 100 * static_cast<double>(faces)));
+}
+
+/// The number of faces that the whole mesh should have. \throws std::invalid_argument as DecimatedFaces
+inline std::size_t TargetFaces(const Values& values, const MeshFacts& facts)
+{
+    const std::size_t decimated = DecimatedFaces(values, facts);
     const double percent = values.Real("target_percent");
-    const auto target =
-        percent > 0 ? static_cast<std::size_t>(std::llround(percent / 100 * static_cast<double>(decimated)))
-                    : static_cast<std::size_t>(values.Integer("target_faces"));
+    const auto target = percent > 0 ? PercentOf(decimated, percent)
+                                    : static_cast<std::size_t>(values.Integer("target_faces"));
     return facts.faces - decimated + std::max<std::size_t>(target, 1);
+}
+
+template <class Mesh>
+bool AnyVertexIsSelected(const Mesh& mesh)
+{
+    return std::any_of(mesh.vert.begin(), mesh.vert.end(),
+                       [](const auto& vertex) { return !vertex.IsD() && vertex.IsS(); });
 }
 
 /// Turns the vertex indices of \p result into those of a copy of \p mesh without deleted vertices.
@@ -68,13 +85,16 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
     return report;
 }
 
+constexpr const char* kLayerSuffix = " simplified";
+
 /// Writes a result to the current mesh, or to a copy of it in a new layer.
+/// \param layerSuffix of the new layer's name; empty: to the current mesh
 template <class Host>
-void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer, bool dropUnreferenced)
+void Commit(Host& host, vcg_ext::DecimatedMesh result, const std::string& layerSuffix, bool dropUnreferenced)
 {
-    if (newLayer) {
+    if (!layerSuffix.empty()) {
         RenumberForCompactCopy(host.Mesh(), result);
-        host.ContinueOnCopy();
+        host.ContinueOnCopy(layerSuffix);
     }
     vcg_ext::ApplyDecimation(host.Mesh(), result, dropUnreferenced);
     host.GeometryChanged();
@@ -102,7 +122,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     if (target >= facts.faces) {
         report = ReportUnchanged(host.Mesh(), wishes.measureError);
         if (wishes.errorBound) report.certifiedError = 0;
-        if (wishes.newLayer) host.ContinueOnCopy();
+        if (wishes.newLayer) host.ContinueOnCopy(kLayerSuffix);
     } else {
         ThrottledProgress progress(
             [&](int percent, const char* stage) { return host.Progress(percent, stage); });
@@ -111,7 +131,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
-            Commit(host, std::move(decimation.mesh), wishes.newLayer, wishes.cleanInput);
+            Commit(host, std::move(decimation.mesh), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput);
     }
     report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
@@ -119,9 +139,10 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     return ToReport(report);
 }
 
-/// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".
+/// What the guided decimation is asked for, but for targets, progress and guidance.
+/// \throws std::invalid_argument if values do not fit each other or the mesh
 template <class Host>
-Report ApplyGuidedDecimation(Host& host, const Values& values)
+vcg_ext::MeshDecimationParameters GuidedParameters(Host& host, const Values& values)
 {
     vcg_ext::MeshDecimationParameters parameters;
     parameters.maxError = values.Real("max_error");
@@ -133,11 +154,22 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.order = values.Choice<vcg_ext::Order>("order");
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
+    parameters.lockSelectedVertices = values.Boolean("lock_selected_vertices");
+    if (parameters.lockSelectedVertices && !AnyVertexIsSelected(host.Mesh()))
+        throw std::invalid_argument("lock_selected_vertices = true, but no vertex is selected");
     parameters.cleanInput = values.Boolean("clean_input");
     parameters.weldDistance = values.Real("weld_distance");
     parameters.measureError = values.Boolean("measure_error");
     if (parameters.maxError > 0 && parameters.order == vcg_ext::Order::Strict)
         throw std::invalid_argument("max_error = " + NumberText(parameters.maxError) + " needs order sweeps");
+    return parameters;
+}
+
+/// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".
+template <class Host>
+Report ApplyGuidedDecimation(Host& host, const Values& values)
+{
+    vcg_ext::MeshDecimationParameters parameters = GuidedParameters(host, values);
     const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
                                   parameters.maxError > 0, parameters.cleanInput};
     return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {

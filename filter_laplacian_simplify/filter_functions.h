@@ -7,6 +7,7 @@
 #include "filter_classify.h"
 #include "filter_descriptor.h"
 #include "filter_decimate.h"
+#include "filter_levels.h"
 #include "filter_smooth.h"
 #include "filter_weighted.h"
 #include "filters.h"
@@ -36,6 +37,8 @@ Report ApplyFilter(FilterId filter, Host& host, const GivenValues& given)
         return ApplyGuidedDecimation(host, values);
     case FilterId::WeightedDecimation:
         return ApplyWeightedDecimation(host, values);
+    case FilterId::LevelsOfDetail:
+        return ApplyLevelsOfDetail(host, values);
     case FilterId::UmbrellaSmooth:
         return ApplyUmbrellaSmooth(host, values);
     }

@@ -87,6 +87,19 @@ const std::vector<Filter>& Filters()
          {kZhang2012, kMelax1998, kLi2010},
          {Category::Remeshing},
          kGeometryAndTopology},
+        {FilterId::LevelsOfDetail,
+         "lod",
+         "Simplification: Laplacian-Guided Levels of Detail",
+         "generate_laplacian_levels_of_detail",
+         "Several simplifications of a mesh, each coarser than the one before, as new layers.",
+         "Each level is a result of the Laplacian-Guided Quadric Edge Collapse, with all that it promises, refined and "
+         "measured against the original, which stays as it is. The collapse of a level goes on where the one before it "
+         "stopped; levels with an error bound and those of order \"strict\" are runs of their own. The layers are named "
+         "after the mesh and the percentage or the error. Numbers are returned as lists, one number for each level; one "
+         "that a level lacks is not a number (NaN).",
+         {kZhang2012, kGarland1997, kLindstrom1998},
+         {Category::Remeshing},
+         kGeometryAndTopology},
         {FilterId::UmbrellaSmooth,
          "smooth",
          "Umbrella Smooth (Uniform, Scale- or Normal-Dependent)",

@@ -15,6 +15,7 @@ enum class FilterId {
     FeatureSelection,
     GuidedDecimation,
     WeightedDecimation,
+    LevelsOfDetail,
     UmbrellaSmooth
 };
 

@@ -36,6 +36,8 @@ std::string TypeText(const Parameter& parameter)
         return "integer " + RangeText(parameter);
     case ParameterType::Real:
         return "number " + RangeText(parameter);
+    case ParameterType::Numbers:
+        return "text: numbers " + RangeText(parameter) + ", separated by commas";
     case ParameterType::Choice:
         break;
     }
@@ -84,6 +86,7 @@ std::string DefaultText(const Parameter& parameter)
 {
     if (parameter.defaultValue.onMesh) return parameter.defaultValue.description;
     const double value = parameter.defaultValue.value;
+    if (parameter.type == ParameterType::Numbers) return parameter.defaultValue.numbers;
     if (parameter.type == ParameterType::Boolean) return value != 0 ? "true" : "false";
     if (parameter.type != ParameterType::Choice) return NumberText(value);
     return NumberText(value) + " `" + parameter.options[static_cast<std::size_t>(value)].id + "`";

@@ -4,13 +4,16 @@
 
 // A filter function is a template on the program that it runs in. Such a Host is made for one run and offers:
 //
-//   using MeshType            a VCG triangle mesh with vertex quality and color
-//   MeshType& Mesh()          the current mesh
-//   void Require(data)        makes sure that the mesh has the MeshData that is about to be written
-//   void ContinueOnCopy()     makes a new layer with a copy of the mesh the current one; the original stays
-//   void GeometryChanged()    updates box and normals, of length 1; to be called after positions or faces
-//   changed void Log(line)            shows a line of fewer than 4096 characters to the user bool
-//   Progress(percent, stage)  false asks to stop; main thread only
+//   using MeshType                 a VCG triangle mesh with vertex quality and color
+//   MeshType& Mesh()               the current mesh
+//   void Require(data)             makes sure that the mesh has the MeshData that is about to be written
+//   void ContinueOnCopy(suffix)    makes a new layer with a copy of the original the current mesh; its name
+//                                  is the original's and the suffix
+//   void ReturnToOriginal()        makes the mesh at the start the current one again
+//   void GeometryChanged()         updates box and normals, of length 1; to be called after positions or
+//                                  faces changed
+//   void Log(line)                 shows a line of fewer than 4096 characters to the user
+//   bool Progress(percent, stage)  false asks to stop; main thread only
 //
 // A filter function first checks, then computes, and only then changes the mesh. What it throws is a
 // std::exception whose text is a sentence for the user; the mesh is then unchanged.

@@ -77,6 +77,7 @@ const std::vector<Parameter>& Parameters()
     constexpr auto kSelection = FilterId::FeatureSelection;
     constexpr auto kGuided = FilterId::GuidedDecimation;
     constexpr auto kWeighted = FilterId::WeightedDecimation;
+    constexpr auto kLevels = FilterId::LevelsOfDetail;
     constexpr auto kSmooth = FilterId::UmbrellaSmooth;
     static const std::vector<Option> computed = Descriptors(false);
     static const std::vector<Option> computedOrStored = Descriptors(true);
@@ -107,6 +108,15 @@ const std::vector<Parameter>& Parameters()
          "only, or not at all.", borders},
         {"error_function", {kWeighted}, Type::Choice, {0}, Choices(errors), "", "Error function",
          "The g of Eq. 6, which is multiplied by exp(feature weight * descriptor).", errors},
+        {"percents", {kLevels}, Type::Numbers, {0, nullptr, "", "50,25,10"}, {0, 100, false}, "percent of the faces",
+         "Percentages (0-100)",
+         "Percentage of faces of each level (of the selected faces if \"Selection only\" is on), from the finest to the "
+         "coarsest. Not used if \"Largest errors\" is given.", {}},
+        {"max_errors", {kLevels}, Type::Numbers, {0}, {0, 100, false}, "percent of the bounding box diagonal",
+         "Largest errors (0-100)",
+         "In place of percentages, from the finest to the coarsest: each level is as small as it can be if no point of "
+         "either surface is farther than this from the other, in percent of the diagonal of the bounding box; proven at "
+         "the end. Each is a run of its own. Needs order \"sweeps\".", {}},
         {"target_faces", {kGuided, kWeighted}, Type::Integer, kHalfTheFaces, kFaceCount, "faces",
          "Target faces",
          "Number of faces to keep, of the selected faces if \"Selection only\" is on. Used if the target "
@@ -115,18 +125,18 @@ const std::vector<Parameter>& Parameters()
          "Target percentage (0-100)",
          "Percentage of faces to keep (0-100, not a fraction), of the selected faces if \"Selection only\" "
          "is on. 0 = use \"Target faces\".", {}},
-        {"max_error", {kGuided}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
+        {"max_error", {kGuided, kLevels}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
          "Largest error (0-100)",
          "No point of either surface is farther than this from the other, in percent of the diagonal of the "
          "bounding box; proven at the end. The target is then the lower end: the decimation stops at whichever "
          "comes first. 0: no bound. Needs order \"sweeps\".", {}},
-        {"feature_weight", {kGuided}, Type::Real, {2}, {0, 50}, "", "Feature weight (0-50)",
+        {"feature_weight", {kGuided, kLevels}, Type::Real, {2}, {0, 50}, "", "Feature weight (0-50)",
          "How much more collapses near features cost (lambda). 0: plain decimation. 2: in nearly all cases "
          "less error at features, for a few percent more rms error overall. 4 to 8: features take priority. "
          "Values above about 10 are rarely useful.", {}},
         {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight (0-50)",
          "Lambda of Eq. 6. 0: the plain error function.", {}},
-        {"effort", {kGuided}, Type::Choice, {1}, Choices(efforts), "", "Effort",
+        {"effort", {kGuided, kLevels}, Type::Choice, {1}, Choices(efforts), "", "Effort",
          "Quality/speed trade-off. Fast: collapses only. Balanced: also refines the result. Best: also takes "
          "vertices from where they are needed least to where they gain most, and lowers the largest "
          "distances; about two and a half times the time of balanced.", efforts},
@@ -134,7 +144,7 @@ const std::vector<Parameter>& Parameters()
          "Shape descriptor to compute.", computed},
         {"descriptor", {kSelection}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
          "Shape descriptor to divide into classes.", computedOrStored},
-        {"descriptor", {kGuided}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
+        {"descriptor", {kGuided, kLevels}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
          "Measure that decides what counts as a feature.", computedOrStored},
         {"descriptor", {kWeighted}, Type::Choice, {0}, Choices(weights), "", "Descriptor",
          "The l of Eq. 6, rescaled to [0, 1]. The curvature-weighted quadric uses no l: it scales the "
@@ -161,35 +171,37 @@ const std::vector<Parameter>& Parameters()
          "For the refinement: no vertex is added whose descriptor is below this part of the threshold.", {}},
         {"class_as_quality", {kSelection}, Type::Boolean, {0}, kSwitch, "", "Class as quality",
          "Store the class number of each vertex, counted from 0, in its quality.", {}},
-        {"boundary", {kGuided}, Type::Choice, {1}, Choices(boundaries), "", "Boundary",
+        {"boundary", {kGuided, kLevels}, Type::Choice, {1}, Choices(boundaries), "", "Boundary",
          "How open borders are treated.", boundaries},
-        {"preserve_topology", {kGuided}, Type::Boolean, {0}, kSwitch, "", "Preserve topology",
+        {"preserve_topology", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Preserve topology",
          "Keep every handle, hole and component; the filter may stop above the target.", {}},
-        {"selected_only", {kGuided, kWeighted}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
+        {"selected_only", {kGuided, kWeighted, kLevels}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Decimate only the selected faces; the rest is untouched.", {}},
         {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
-        {"avoid_self_intersections", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
+        {"lock_selected_vertices", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Lock selected vertices",
+         "Selected vertices neither move nor disappear, to the bit.", {}},
+        {"avoid_self_intersections", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
          "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
          "care, which takes several times as long. What could not be kept is reported.", {}},
-        {"clean_input", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Clean the input",
+        {"clean_input", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Clean the input",
          "First joins open borders where they meet at equal coordinates, as all faces of an STL file do, and "
          "removes faces with the same vertex twice, faces that are there twice, and vertices of no face. Vertices "
          "of different color or texture coordinates stay apart.", {}},
-        {"weld_distance", {kGuided}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
+        {"weld_distance", {kGuided, kLevels}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
          "Weld distance (0-100)",
          "\"Clean the input\" also joins border vertices that are at most this far apart, in percent of the diagonal "
          "of the bounding box. 0: only those at equal coordinates.", {}},
         {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
          "Keep the original and put the result in a new layer.", {}},
-        {"measure_error", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Measure error",
+        {"measure_error", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Measure error",
          "Measure the distances between original and result for the report. Takes about as long as the "
          "decimation.", {}},
-        {"order", {kGuided}, Type::Choice, {0}, Choices(orders), "", "Order",
+        {"order", {kGuided, kLevels}, Type::Choice, {0}, Choices(orders), "", "Order",
          "Collapse algorithm: fast parallel engine, or VCG's queue (reference).", orders},
-        {"threads", {kGuided}, Type::Integer, {0}, {0, 1024}, "", "Threads (0 = all)",
+        {"threads", {kGuided, kLevels}, Type::Integer, {0}, {0, 1024}, "", "Threads (0 = all)",
          "Number of threads. 0: all cores, or OMP_NUM_THREADS if it is set. The result is bit-identical for "
          "any number of threads.", {}},
     };

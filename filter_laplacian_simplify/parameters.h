@@ -11,7 +11,13 @@
 namespace laplacian_simplify
 {
 
-enum class ParameterType { Boolean, Integer, Real, Choice };
+enum class ParameterType {
+    Boolean,
+    Integer,
+    Real,
+    Choice,
+    Numbers ///< a text: numbers in the range, separated by commas
+};
 
 /// What the default of a parameter may depend on. All 0 while there is no mesh.
 struct MeshFacts {
@@ -37,6 +43,7 @@ struct DefaultValue {
     double value;                                 ///< used if onMesh is null
     double (*onMesh)(const MeshFacts&) = nullptr; ///< computes the default from the mesh
     const char* description = "";                 ///< what onMesh computes
+    const char* numbers = "";                     ///< of Numbers, in place of the value
 };
 
 /// Everything that hosts, commands and pages show of a parameter of some filters.
@@ -73,7 +80,7 @@ const std::vector<Parameter>& Parameters();
 std::vector<const Parameter*> ParametersOf(FilterId filter);
 
 /// The allowed values: "[0, 50]", "(0, 1]", "[0, 100] (percent of the faces)", "fast (0), balanced (1), best
-/// (2)", "true or false".
+/// (2)", "true or false"; of Numbers those of each number.
 std::string RangeText(const Parameter& parameter);
 
 } // namespace laplacian_simplify

@@ -39,6 +39,8 @@ const char* Name(ParameterType type)
         return "real";
     case ParameterType::Choice:
         return "choice";
+    case ParameterType::Numbers:
+        return "numbers";
     }
     return "";
 }
@@ -72,9 +74,11 @@ QJsonObject ToJson(const Parameter& row)
         json["default"] = QJsonValue::Null;
     else if (row.type == ParameterType::Boolean)
         json["default"] = row.defaultValue.value != 0;
+    else if (row.type == ParameterType::Numbers)
+        json["default"] = row.defaultValue.numbers;
     else
         json["default"] = row.defaultValue.value;
-    if (row.type == ParameterType::Integer || row.type == ParameterType::Real) {
+    if (row.type != ParameterType::Boolean && row.type != ParameterType::Choice) {
         json["minimum"] = row.range.minimum;
         json["maximum"] = row.range.maximum;
         json["minimum_included"] = row.range.minimumIncluded;

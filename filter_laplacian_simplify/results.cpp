@@ -5,9 +5,30 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace laplacian_simplify
 {
+
+namespace
+{
+
+/// The rows, and for the levels of detail those of the guided decimation: of each a list.
+std::vector<Result> WithLevels(std::vector<Result> rows)
+{
+    const std::size_t count = rows.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& filters = rows[i].filters;
+        if (std::find(filters.begin(), filters.end(), FilterId::GuidedDecimation) == filters.end()) continue;
+        Result row = rows[i];
+        row.filters = {FilterId::LevelsOfDetail};
+        row.type = ResultType::RealList;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace
 
 const std::vector<Result>& Results()
 {
@@ -19,7 +40,7 @@ const std::vector<Result>& Results()
     constexpr auto kSmooth = FilterId::UmbrellaSmooth;
     constexpr const char* kPercent = "percent of the bounding box diagonal";
     // clang-format off
-    static const std::vector<Result> results = {
+    static const std::vector<Result> results = WithLevels({
         {"minimum", {kDescriptor}, Type::Real, "",
          "Smallest value of the changed vertices.", false},
         {"maximum", {kDescriptor}, Type::Real, "",
@@ -83,7 +104,7 @@ const std::vector<Result>& Results()
          "Distance by which the farthest-moving vertex moved.", false},
         {"seconds", {kDescriptor, kSelection, kGuided, kWeighted, kSmooth}, Type::Real, "s",
          "Elapsed time.", false},
-    };
+    });
     // clang-format on
     return results;
 }

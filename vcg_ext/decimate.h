@@ -9,6 +9,7 @@
 #include <vcg/complex/complex.h>
 
 #include "vcg_ext/apply_decimation.h"
+#include "vcg_ext/core/levels.h"
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/ordered/decimate.h"
@@ -18,7 +19,8 @@ namespace vcg_ext
 
 /// What the simplification of a VCG mesh needs beside the parameters of Simplify.
 struct MeshDecimationParameters : DecimationParameters {
-    bool selectedOnly = false;   ///< faces that are not selected keep their vertices and stay
+    bool selectedOnly = false;         ///< faces that are not selected keep their vertices and stay
+    bool lockSelectedVertices = false; ///< selected vertices neither move nor disappear
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
 };
 
@@ -43,6 +45,35 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
     });
 }
 
+/// SimplifyLevels, for both orders: in order strict every level is a run of its own.
+/// \throws as Decimate and CheckLevels
+inline std::vector<Simplification>
+DecimateLevels(const MeshView& view, const DecimationParameters& parameters, const std::vector<Level>& levels)
+{
+    if (parameters.order == Order::Sweeps) return SimplifyLevels(view, parameters, levels);
+    CheckLevels(levels);
+    for (const Level& level : levels) CheckParameters(ParametersOf(parameters, level));
+    return EachLevelByItself(parameters, levels,
+                             [&](const DecimationParameters& own) { return Decimate(view, own); });
+}
+
+/// Runs on the arrays of a mesh, with all that the parameters say of it. \param run called as run(view)
+template <class Mesh, class Run>
+auto OnArraysOf(const Mesh& mesh, const MeshDecimationParameters& parameters, const Run& run)
+{
+    const MeshArrays<Mesh> arrays(mesh);
+    MeshView view = arrays.View();
+    std::vector<std::uint8_t> fixed;
+    if (parameters.selectedOnly) fixed = arrays.OutsideSelection(mesh);
+    if (parameters.lockSelectedVertices) AddSelectedVertices(mesh, fixed);
+    if (!fixed.empty()) view.fixedVertices = fixed.data();
+    const std::vector<std::uint32_t> keys =
+        parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
+    if (!keys.empty()) view.vertexKeys = keys.data();
+    if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
+    return run(view);
+}
+
 /// Simplifies a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
 ///
 /// \param mesh any VCG triangle mesh, float or double; deleted elements, unreferenced vertices, several
@@ -51,18 +82,18 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
 template <class Mesh>
 Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
 {
-    const MeshArrays<Mesh> arrays(mesh);
-    MeshView view = arrays.View();
-    std::vector<std::uint8_t> outside;
-    if (parameters.selectedOnly) {
-        outside = arrays.OutsideSelection(mesh);
-        view.fixedVertices = outside.data();
-    }
-    const std::vector<std::uint32_t> keys =
-        parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
-    if (!keys.empty()) view.vertexKeys = keys.data();
-    if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
-    return Decimate(view, static_cast<const DecimationParameters&>(parameters));
+    const DecimationParameters& ofArrays = parameters;
+    return OnArraysOf(mesh, parameters, [&](const MeshView& view) { return Decimate(view, ofArrays); });
+}
+
+/// Levels of detail of a VCG mesh, each applied by ApplyDecimation to a copy. \throws as Decimate
+template <class Mesh>
+std::vector<Simplification> DecimateLevels(const Mesh& mesh, const MeshDecimationParameters& parameters,
+                                           const std::vector<Level>& levels)
+{
+    const DecimationParameters& ofArrays = parameters;
+    return OnArraysOf(mesh, parameters,
+                      [&](const MeshView& view) { return DecimateLevels(view, ofArrays, levels); });
 }
 
 /// The simplification of Zhang et al. (2012): their collapse alone in the pipeline of Simplify, without

@@ -87,6 +87,15 @@ class MeshArrays
     }
 };
 
+/// Marks the selected vertices in \p fixed, which has one byte an element of mesh.vert or is empty.
+template <class Mesh>
+void AddSelectedVertices(const Mesh& mesh, std::vector<std::uint8_t>& fixed)
+{
+    fixed.resize(mesh.vert.size(), 0);
+    for (std::size_t v = 0; v < mesh.vert.size(); ++v)
+        if (!mesh.vert[v].IsD() && mesh.vert[v].IsS()) fixed[v] = 1; // deleted ones keep their flags
+}
+
 /// One number an element of mesh.vert, the same for the same color and texture coordinates; empty if vertices
 /// have neither.
 template <class Mesh>

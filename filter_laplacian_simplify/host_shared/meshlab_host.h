@@ -21,6 +21,7 @@ namespace laplacian_simplify
 class MeshLabHost
 {
     MeshDocument& document_;
+    MeshModel* const original_;
     MeshModel* model_;
     vcg::CallBackPos* callback_;
     std::function<void(const std::string&)> log_;
@@ -32,14 +33,19 @@ class MeshLabHost
     /// \throws std::invalid_argument if the document has no current mesh
     MeshLabHost(MeshDocument& document, vcg::CallBackPos* callback,
                 std::function<void(const std::string&)> log)
-        : document_(document), model_(document.mm()), callback_(callback), log_(std::move(log))
+        : document_(document), original_(document.mm()), model_(original_), callback_(callback),
+          log_(std::move(log))
     {
         if (!model_) throw std::invalid_argument("there is no current mesh");
     }
 
     CMeshO& Mesh() { return model_->cm; }
     void Require(std::uint32_t data) { model_->updateDataMask(HostMask<MeshModel>(data)); }
-    void ContinueOnCopy() { model_ = &AddCopy(document_, *model_, model_->label() + " simplified"); }
+    void ContinueOnCopy(const std::string& suffix)
+    {
+        model_ = &AddCopy(document_, *original_, original_->label() + QString::fromStdString(suffix));
+    }
+    void ReturnToOriginal() { model_ = original_; }
     void GeometryChanged()
     {
         UpdateBoxAndNormals(*model_);

@@ -25,6 +25,9 @@ void AddParameter(RichParameterList& list, const Parameter& row, double value)
     case ParameterType::Real:
         list.addParam(RichFloat(id, static_cast<Scalarm>(value), label, help));
         break;
+    case ParameterType::Numbers:
+        list.addParam(RichString(id, row.defaultValue.numbers, label, help));
+        break;
     case ParameterType::Choice: {
         QStringList texts;
         for (const Option& option : row.options) texts << QString::fromStdString(option.text);

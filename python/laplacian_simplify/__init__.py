@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from .files.errors import MeshFileError
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
-    from .filters import classify, descriptor, simplify, smooth, weighted
+    from .filters import classify, descriptor, levels_of_detail, simplify, smooth, weighted
+    from .levels import LevelReport
     from .plugin import PYMESHLAB_VERSION, load, plugin_path
     from .report import (
         STOP_REASONS,
@@ -44,7 +45,8 @@ _MODULES = {
     "files.errors": ("MeshFileError",),
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
-    "filters": ("classify", "descriptor", "simplify", "smooth", "weighted"),
+    "filters": ("classify", "descriptor", "levels_of_detail", "simplify", "smooth", "weighted"),
+    "levels": ("LevelReport",),
     "plugin": ("PYMESHLAB_VERSION", "load", "plugin_path"),
     "report": (
         "STOP_REASONS",
@@ -64,6 +66,7 @@ __all__ = [
     "ClassificationReport",
     "DecimationReport",
     "DescriptorReport",
+    "LevelReport",
     "MeshFileError",
     "MeshFileWarning",
     "Report",
@@ -73,6 +76,7 @@ __all__ = [
     "__version__",
     "classify",
     "descriptor",
+    "levels_of_detail",
     "load",
     "plugin_path",
     "read_mesh",

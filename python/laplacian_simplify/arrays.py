@@ -24,6 +24,7 @@ _MESH_SETS_ONLY: dict[str, tuple[int, ...]] = {
     "order": (1,),
     "descriptor": (2, 3),
     "new_layer": (1,),
+    "lock_selected_vertices": (1,),
 }
 _STORED_QUALITY = "vertex_quality"
 
@@ -72,7 +73,9 @@ def simplify_arrays(
         TypeError: something is of another type.
         ValueError: something has another shape, or cannot be used; the text names it.
     """
-    values = {parameter.id: numbers.get(parameter.id, parameter.default) for parameter in row.parameters}
+    values: dict[str, Any] = {
+        parameter.id: numbers.get(parameter.id, parameter.default) for parameter in row.parameters
+    }
     _refuse_what_needs_mesh_sets(row, values)
     mesh = _checked_mesh(vertices, faces, options)
     mesh, target = _target(mesh, numbers)

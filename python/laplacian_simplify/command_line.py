@@ -8,13 +8,14 @@ written; 2 wrong arguments. Those of batch are in its own module.
 
 import argparse
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from .file_arguments import Files, files_of
+from .error_bound import error_bounds
+from .file_arguments import Files, files_of, files_of_levels
 from .files.errors import printable
 from .files.output_formats import output_format
 from .files.source import scratch_named
@@ -50,6 +51,8 @@ def _main(options: argparse.Namespace) -> int:
             from .batch.command import run_batch
 
             return run_batch(options, values)
+        if command.has_levels:
+            return _levels(command, options, values)
         files = files_of(options)
         answer = _run(command, files, values)
         _show(command, files, answer)
@@ -69,7 +72,8 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     names = [row.id for row in command.filter.parameters if row.id not in WITHOUT_OPTION]
     values = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
     bound: dict[str, Any] = values.pop("max_error", {})  # a length is checked once the mesh is known
-    if command.filter.has("max_error") and not bound and not SHORT_NAMES.keys() & values.keys():
+    may_lack_a_target = command.has_levels or not command.filter.has("max_error")
+    if not may_lack_a_target and not bound and not SHORT_NAMES.keys() & values.keys():
         raise ValueError("one of the arguments --faces --percent --max-error is required")
     if bound.get("max_error") == 0:
         raise ValueError("max_error = 0 is outside (0, 100] (percent of the bounding box diagonal)")
@@ -77,6 +81,8 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     percent = values.get("target_percent", 100)
     if not 0 < percent <= 100:  # 0 would tell the filter to use target_faces
         raise ValueError(f"target_percent = {percent:g} is outside (0, 100] (percent of the faces)")
+    if "max_errors" in values:
+        bound["max_errors"] = error_bounds(values.pop("max_errors"))
     checked(command.filter, values)
     return values | bound
 
@@ -103,6 +109,39 @@ def _run(command: Command, files: Files, values: Mapping[str, Any]) -> dict[str,
         if staged_report:
             staged_report.write_text(_json(answer["report"]), encoding="utf-8")
     return answer
+
+
+def _levels(command: Command, options: argparse.Namespace, values: Mapping[str, Any]) -> int:
+    """The same with a file for every level: all are written before the first one appears."""
+    field, text = ("percent", options.percents) if options.percents is not None else ("error", options.max_errors)
+    files = files_of_levels(options, [word.strip() for word in text.split(",")], field)
+    for level in files:
+        check_target(level.output)
+        output_format(level.output_name)
+    first = files[0]
+    with ExitStack() as stack:
+        staged_report = stack.enter_context(staged_output(first.json)) if first.json else None
+        staged = [stack.enter_context(_staged(level)) for level in files]
+        arguments = {
+            "function": command.function.__name__,
+            "source": first.input,
+            "staged": [str(path) for path in staged],
+            "shown_source": first.shown_input,
+            "shown_targets": [level.shown_output for level in files],
+            "values": dict(values),
+        }
+        with scratch_named(first.shown_input):
+            scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
+        answer = in_a_process(arguments, scratch, "run_levels")
+        if staged_report:
+            staged_report.write_text(_json(answer["report"]), encoding="utf-8")
+    for note in answer["notes"]:
+        say(f"laplacian-simplify: note: {note}")
+    for level, report in zip(files, answer["report"], strict=True):
+        (say if level.standard_output_is_taken else show)(summary(level.shown_input, level.shown_output, report))
+    if first.json_to_standard_output:
+        write_out(_json(answer["report"]).encode())
+    return 0
 
 
 @contextmanager
@@ -132,7 +171,7 @@ def _show(command: Command, files: Files, answer: Mapping[str, Any]) -> None:
         write_out(_json(answer["report"]).encode())
 
 
-def _json(report: Mapping[str, Any]) -> str:
+def _json(report: Mapping[str, Any] | Sequence[Mapping[str, Any]]) -> str:
     return json.dumps(report, indent=2) + "\n"
 
 

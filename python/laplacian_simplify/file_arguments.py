@@ -4,11 +4,13 @@
 
 import argparse
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from .files.errors import printable
 from .files.source import STANDARD_INPUT
+from .levels import output_names
 
 STANDARD_OUTPUT = "-"
 
@@ -60,6 +62,23 @@ def files_of(options: argparse.Namespace) -> Files:
     if options.output_format and output != STANDARD_OUTPUT:
         raise ValueError("--output-format is for standard output; the name of OUTPUT tells the format")
     return Files(options.input, output, None if to_standard_output else options.json, to_standard_output, name)
+
+
+def files_of_levels(options: argparse.Namespace, words: Sequence[str], field: str) -> list[Files]:
+    """The files of every level, each with the same input and report.
+
+    Args:
+        words: what was typed for every level.
+        field: of the pattern: percent or error.
+
+    Raises:
+        ValueError: the arguments do not fit together.
+    """
+    files = []
+    for name in output_names(options.output, words, field):
+        level = {**vars(options), "output": name, "in_place": False, "output_format": None}
+        files.append(files_of(argparse.Namespace(**level)))
+    return files
 
 
 def _output(options: argparse.Namespace) -> str:

@@ -6,11 +6,12 @@ A keyword that is None, as all are by default, has the filter's own default. A t
 and the choices, with the plugin's tables.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Unpack, overload
 
+from .levels import LevelReport, reports_of_levels
 from .report import ClassificationReport, DecimationReport, DescriptorReport, SmoothingReport
-from .running import MeshSource, is_mesh_source, run, with_one_target
+from .running import MeshSource, is_mesh_source, returned, run, with_one_target
 from .tables import filter_named
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ class SimplifyOptions(FileOptions, total=False):
     """The keywords of simplify but for return_result."""
 
     selected_only: bool | None
+    lock_selected_vertices: bool | None
     new_layer: bool | None
     selected: "NDArray[np.bool_] | None"
     locked: "NDArray[np.bool_] | None"
@@ -83,6 +85,7 @@ def simplify(
     boundary: Boundary | int | None = None,
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
+    lock_selected_vertices: bool | None = None,
     avoid_self_intersections: bool | None = None,
     clean_input: bool | None = None,
     weld_distance: float | None = None,
@@ -118,6 +121,7 @@ def simplify(
         boundary: open borders are free, preserved (default) or locked.
         preserve_topology: keep every handle, hole and component.
         selected_only: only the selected faces are decimated; default where faces are selected.
+        lock_selected_vertices: selected vertices neither move nor disappear; for mesh sets, arrays have locked.
         avoid_self_intersections: no more faces cross each other than before (default); the report says so if that could
             not be kept.
         clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces and vertices
@@ -156,6 +160,7 @@ def simplify(
         "boundary": boundary,
         "preserve_topology": preserve_topology,
         "selected_only": selected_only,
+        "lock_selected_vertices": lock_selected_vertices,
         "avoid_self_intersections": avoid_self_intersections,
         "clean_input": clean_input,
         "weld_distance": weld_distance,
@@ -174,6 +179,62 @@ def simplify(
         if value is not None:
             raise TypeError(f"{keyword} is for arrays and meshes of other libraries, not for a mesh set or a file")
     return run(name, DecimationReport, mesh, **numbers)
+
+
+def levels_of_detail(
+    mesh: MeshSource,
+    *,
+    percents: str | Sequence[float] | None = None,
+    max_errors: str | Sequence[float] | None = None,
+    max_error: float | None = None,
+    feature_weight: float | None = None,
+    effort: Effort | int | None = None,
+    descriptor: Guidance | int | None = None,
+    boundary: Boundary | int | None = None,
+    preserve_topology: bool | None = None,
+    selected_only: bool | None = None,
+    lock_selected_vertices: bool | None = None,
+    avoid_self_intersections: bool | None = None,
+    clean_input: bool | None = None,
+    weld_distance: float | None = None,
+    measure_error: bool | None = None,
+    order: Order | int | None = None,
+    threads: int | None = None,
+) -> list[LevelReport]:
+    """Several simplifications of a mesh, each coarser than the one before, as new meshes of the mesh set.
+
+    >>> levels = ls.levels_of_detail("bunny.off", percents=[50, 25, 10])
+    >>> levels[0].mesh_set.set_current_mesh(levels[0].mesh_id)
+
+    Args:
+        mesh: a mesh set, whose current mesh stays as it is and which gets a mesh for each level, or a file, which is
+            read into a new one.
+        percents: percent of the faces to keep, from the finest level to the coarsest; 50, 25 and 10 by default.
+        max_errors: in their place, from the finest level to the coarsest: each level is as small as it can be if no
+            point of either surface is farther than this from the other, in percent of the diagonal of the bounding box.
+        max_error: a bound for all levels by percents.
+        feature_weight: as of simplify, and so are the rest.
+        effort: geometry against time.
+        descriptor: what tells features from the rest.
+        boundary: how open borders are treated.
+        preserve_topology: keep every handle, hole and component.
+        selected_only: only the selected faces are decimated; percents are of those.
+        lock_selected_vertices: selected vertices neither move nor disappear.
+        avoid_self_intersections: no more faces cross each other than before (default).
+        clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces (default).
+        weld_distance: borders this close are joined, too, in percent of the bounding box's diagonal.
+        measure_error: measure the distances of every level for its report (default).
+        order: sweeps (default) or strict.
+        threads: 0 all; the result does not depend on it.
+
+    Returns:
+        A report for each level; it names the mesh of the set that the level is.
+
+    Raises:
+        ValueError, OSError, RuntimeError: as simplify.
+    """
+    values = {name: value for name, value in locals().items() if name != "mesh"}
+    return reports_of_levels(*returned("generate_laplacian_levels_of_detail", mesh, values))
 
 
 def weighted(

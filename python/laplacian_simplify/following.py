@@ -18,15 +18,15 @@ Progress = Callable[[int, str], None]
 _PROGRESS = re.compile(rb"LOG: \d+ (.*?)\s*\[ (\d+)% \]")
 
 
-def in_a_process(arguments: dict[str, Any], scratch: str) -> dict[str, Any]:
-    """Runs ``work.run`` in a process of its own, with a folder for its scratch files; a terminal shows progress.
+def in_a_process(arguments: dict[str, Any], scratch: str, function: str = "run") -> dict[str, Any]:
+    """Runs a function of ``work`` in a process of its own, with a folder for scratch files; a terminal shows progress.
 
     Raises:
         MeshFileError: the process crashed; the sentence says over which file.
         OSError, ValueError, RuntimeError, ImportError: whatever it raised, with its text.
         KeyboardInterrupt: a signal came; the process is gone.
     """
-    child = Child("work:run", arguments, log=True, standard_input=True, scratch=scratch)
+    child = Child(f"work:{function}", arguments, log=True, standard_input=True, scratch=scratch)
     try:
         with _bar() as progress, signals_let_in():
             _follow(child, progress)
@@ -77,7 +77,7 @@ def _crashed(crash: ChildCrashError, arguments: dict[str, Any]) -> MeshFileError
     name, what = {
         "reading": (arguments["shown_source"], "cannot be read: the reader"),
         "working": (arguments["shown_source"], "cannot be worked on: the filter"),
-        "writing": (arguments["shown_target"], "cannot be written: the writer"),
+        "writing": (arguments.get("shown_target", "a level"), "cannot be written: the writer"),
     }.get(crash.stage, (arguments["shown_source"], "cannot be worked on: the process for it"))
     if crash.cause == "SIGKILL":
         return MeshFileError(f"{name} {what} was killed (SIGKILL), as happens where memory runs out")

@@ -3,13 +3,13 @@
 """Options of the command, made from the plugin's tables of parameters."""
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NoReturn
 
 from . import filters as functions
 from .batch.arguments import add_batch_parser
-from .error_bound import MAX_ERROR_HELP, error_bound
+from .error_bound import MAX_ERROR_HELP, MAX_ERRORS_HELP, error_bound
 from .report import Report
 from .streams import show
 from .tables import Filter, Parameter, filter_named, filters
@@ -21,9 +21,14 @@ class Command:
 
     name: str
     filter_name: str
-    function: Callable[..., Report]
+    function: Callable[..., Report | Sequence[Report]]
     stores_quality: bool = False
     other_defaults: tuple[tuple[str, Any], ...] = ()
+
+    @property
+    def has_levels(self) -> bool:
+        """Whether it writes several meshes."""
+        return self.filter.has("percents")
 
     @property
     def filter(self) -> Filter:
@@ -40,12 +45,13 @@ _COMMANDS = (
         True,
         (("class_as_quality", True),),  # no file holds a selection
     ),
+    Command("lod", "generate_laplacian_levels_of_detail", functions.levels_of_detail),
     Command("smooth", "apply_coord_umbrella_smoothing", functions.smooth),
 )
 
 SHORT_NAMES = {"target_faces": "--faces", "target_percent": "--percent"}
 _SHORT_HELP = {"target_faces": "number of faces to keep", "target_percent": "percent of the faces to keep"}
-WITHOUT_OPTION = ("new_layer", "selected_only")  # one mesh in, one out; files hold no selection
+WITHOUT_OPTION = ("new_layer", "selected_only", "lock_selected_vertices")  # one mesh in, one out, without a selection
 
 
 def commands() -> tuple[Command, ...]:
@@ -94,11 +100,15 @@ def make_parser() -> argparse.ArgumentParser:
 
 def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter) -> None:
     parser.add_argument("input", metavar="INPUT", help="mesh file, also as .gz; - for standard input")
-    parser.add_argument("output", metavar="OUTPUT", nargs="?", help="mesh file; - for standard output")
-    parser.add_argument("--in-place", action="store_true", help="write to INPUT, in place of OUTPUT")
-    parser.add_argument(
-        "--output-format", choices=("ply", "stl"), help="format of a mesh on standard output. Default: ply."
-    )
+    if command.has_levels:
+        fields = "{percent} or {error}, as it is given, or {level}, its number"
+        parser.add_argument("output", metavar="OUTPUT", help=f"mesh file of each level, with {fields}")
+    else:
+        parser.add_argument("output", metavar="OUTPUT", nargs="?", help="mesh file; - for standard output")
+        parser.add_argument("--in-place", action="store_true", help="write to INPUT, in place of OUTPUT")
+        parser.add_argument(
+            "--output-format", choices=("ply", "stl"), help="format of a mesh on standard output. Default: ply."
+        )
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
     add_parameters(parser, command, row)
 
@@ -108,11 +118,13 @@ def add_parameters(parser: argparse.ArgumentParser, command: Command, row: Filte
     targets: argparse._ActionsContainer = parser
     if row.has("target_faces"):
         targets = parser.add_mutually_exclusive_group(required=not row.has("max_error"))
+    elif command.has_levels:
+        targets = parser.add_mutually_exclusive_group(required=True)
     other_defaults = dict(command.other_defaults)
     for parameter in row.parameters:
         if parameter.id in WITHOUT_OPTION:
             continue
-        group = targets if parameter.id in SHORT_NAMES else parser
+        group = targets if parameter.id in SHORT_NAMES or parameter.type == "numbers" else parser
         _add_option(group, parameter, other_defaults.get(parameter.id))
 
 
@@ -125,6 +137,8 @@ def _add_option(group: argparse._ActionsContainer, parameter: Parameter, default
         group.add_argument(name, choices=[option.id for option in parameter.options], **common)
     elif parameter.id == "max_error":
         group.add_argument(name, type=error_bound, metavar="X[%]", **common)
+    elif parameter.type == "numbers":
+        group.add_argument(name, metavar="X[%],..." if parameter.id == "max_errors" else "X,...", **common)
     else:
         kind = int if parameter.type == "integer" else float
         group.add_argument(name, type=kind, metavar="N" if kind is int else "X", **common)
@@ -136,6 +150,10 @@ def _help(parameter: Parameter, default: object) -> str:
         return _SHORT_HELP[parameter.id]
     if parameter.id == "max_error":
         return MAX_ERROR_HELP.replace("%", "%%")
+    if parameter.id == "max_errors":
+        return MAX_ERRORS_HELP.replace("%", "%%")
+    if parameter.type == "numbers":
+        return "percent of the faces of each level, from the finest to the coarsest"
     if isinstance(default, bool):
         shown = "on" if default else "off"
     elif parameter.options:

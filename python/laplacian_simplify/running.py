@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 from .files.errors import printable
 from .plugin import load
 from .report import Report
-from .tables import Filter, filter_named
+from .tables import Filter, Parameter, filter_named
 from .turns import forget_failures, turn
 
 if TYPE_CHECKING:
@@ -32,18 +32,25 @@ def run(filter_name: str, report_type: type[R], mesh: MeshSource, **values: Any)
         OSError: the file cannot be read.
         RuntimeError: the filter refused the mesh, which is unchanged; the text says why.
     """
+    return report_type.of(*returned(filter_name, mesh, values))
+
+
+def returned(
+    filter_name: str, mesh: MeshSource, values: Mapping[str, Any]
+) -> "tuple[dict[str, Any], pymeshlab.MeshSet]":
+    """What the filter returned, and the mesh set that holds the result; the rest as run."""
     if not is_mesh_source(mesh):
         raise TypeError(f"the mesh must be a pymeshlab.MeshSet or the path of a mesh file, not {type(mesh).__name__}")
     load()
     row = filter_named(filter_name)
     numbers = checked(row, values)
     if not isinstance(mesh, str | PathLike):
-        return report_type.of(apply(row, mesh, numbers), mesh)
+        return apply(row, mesh, numbers), mesh
     from .files.reading import read_mesh
 
     mesh_set = read_mesh(mesh)
     try:
-        return report_type.of(apply(row, mesh_set, numbers), mesh_set)
+        return apply(row, mesh_set, numbers), mesh_set
     except RuntimeError as error:
         raise RuntimeError(f"{printable(fspath(mesh))} cannot be used: {error}") from None
 
@@ -85,10 +92,15 @@ def checked(row: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
         TypeError: the filter has no such parameter, or a value is of a wrong type.
         ValueError: a value is outside its range.
     """
-    types = {"boolean": bool, "integer": int, "real": float, "choice": int}
     given = {name: value for name, value in values.items() if value is not None}
-    rows = {name: row.parameter(name) for name in given}
-    return {name: types[rows[name].type](rows[name].number(value)) for name, value in given.items()}
+    return {name: _of_type(row.parameter(name), value) for name, value in given.items()}
+
+
+def _of_type(parameter: Parameter, value: Any) -> Any:
+    if parameter.type == "numbers":
+        return parameter.numbers(value)
+    types = {"boolean": bool, "integer": int, "real": float, "choice": int}
+    return types[parameter.type](parameter.number(value))
 
 
 def apply(row: Filter, mesh_set: "pymeshlab.MeshSet", numbers: Mapping[str, Any]) -> dict[str, Any]:

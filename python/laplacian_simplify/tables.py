@@ -3,6 +3,7 @@
 """The plugin's own tables of filters, parameters and results, as it printed them when it was built."""
 
 import json
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -22,8 +23,8 @@ class Parameter:
     """One parameter of one filter."""
 
     id: str
-    type: Literal["boolean", "integer", "real", "choice"]
-    default: bool | float | None
+    type: Literal["boolean", "integer", "real", "choice", "numbers"]
+    default: bool | float | str | None
     """None where the mesh decides it."""
     default_text: str
     range_text: str
@@ -52,12 +53,34 @@ class Parameter:
         if isinstance(value, str) or not self._contains(value):
             relation = "not one of" if self.options else "outside"
             raise ValueError(f"{self.id} = {_shown(value)} is {relation} {self.range_text}")
-        if self.type != "real" and value != int(value):
+        if self.type not in ("real", "numbers") and value != int(value):
             raise ValueError(f"{self.id} = {_shown(value)} is not a whole number in {self.range_text}")
         return value
 
+    def numbers(self, value: object) -> str:
+        """The text of several numbers: of a text such as "50,25", a number, or a sequence of numbers.
+
+        Raises:
+            TypeError: it is none of these.
+            ValueError: names the parameter, the text and the word that is no number in the range.
+        """
+        if isinstance(value, str):
+            text = value
+        elif isinstance(value, Iterable):
+            text = ",".join(repr(float(self.number(number))) for number in value)
+        else:
+            text = repr(float(self.number(value)))
+        for word in text.split(",") if text.strip() else ():
+            try:
+                fits = self._contains(float(word))
+            except ValueError:
+                fits = False
+            if not fits:
+                raise ValueError(f'{self.id} = "{text}": "{word.strip()}" is not a number in {self.range_text}')
+        return text
+
     def _kind(self) -> str:
-        kinds = {"boolean": "True or False", "integer": "a whole number", "real": "a number"}
+        kinds = {"boolean": "True or False", "integer": "a whole number", "real": "a number", "numbers": "numbers"}
         return kinds.get(self.type, f"one of {self.range_text}")
 
     def _contains(self, value: float) -> bool:

@@ -3,7 +3,7 @@
 """What the command's process for the work does: it reads, filters and writes one mesh."""
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import filters as functions
 from .child import Stage
@@ -14,7 +14,12 @@ from .files.reading import read
 from .files.writing import keeps_polygons, save
 from .plugin import load
 
-_DECIMATIONS = ("simplify", "weighted")  # which leave hardly a polygon
+if TYPE_CHECKING:
+    import pymeshlab
+
+    from .files.reading import Reading
+
+_DECIMATIONS = ("simplify", "weighted", "levels_of_detail")  # which leave hardly a polygon
 
 
 def run(
@@ -40,10 +45,48 @@ def run(
     Returns:
         The numbers of the report, and notes on what was left out.
     """
+    mesh_set, reading = _read(stage, source)
+    report = _work(stage, function, mesh_set, values, shown_source)
+    stage("writing")
+    notes = _write(mesh_set, reading, function, staged, shown_target)
+    return {"report": report.to_dict(), "notes": [f"{shown_source}: {note}" for note in reading.notes] + notes}
+
+
+def run_levels(
+    stage: Stage,
+    *,
+    function: str,
+    source: str,
+    staged: list[str],
+    shown_source: str,
+    shown_targets: list[str],
+    values: dict[str, Any],
+) -> dict[str, Any]:
+    """The same with a file, and a report, for every level.
+
+    Args:
+        function, source, shown_source, values: as for run.
+        staged: a file for every level.
+        shown_targets: how messages name what each staged file is for.
+    """
+    mesh_set, reading = _read(stage, source)
+    reports = _work(stage, function, mesh_set, values, shown_source)
+    stage("writing")
+    notes = [f"{shown_source}: {note}" for note in reading.notes]
+    for report, path, shown in zip(reports, staged, shown_targets, strict=True):
+        mesh_set.set_current_mesh(report.mesh_id)
+        notes += _write(mesh_set, reading, function, path, shown)
+    return {"report": [report.to_dict() for report in reports], "notes": notes}
+
+
+def _read(stage: Stage, source: str) -> "tuple[pymeshlab.MeshSet, Reading]":
     stage("reading")
     reading = read(source)
-    mesh_set = reading.mesh_set
     load()
+    return reading.mesh_set, reading
+
+
+def _work(stage: Stage, function: str, mesh_set: "pymeshlab.MeshSet", values: dict[str, Any], shown_source: str) -> Any:
     stage("working")
     mesh_set.set_verbosity(True)  # then progress is written, which the command follows
     try:
@@ -51,10 +94,14 @@ def run(
     except RuntimeError as error:
         raise MeshFileError(f"{shown_source} cannot be used: {error}") from None
     mesh_set.set_verbosity(False)
-    stage("writing")
+    return report
+
+
+def _write(
+    mesh_set: "pymeshlab.MeshSet", reading: "Reading", function: str, staged: str, shown_target: str
+) -> list[str]:
     row = output_format(staged)
     lost = save(mesh_set, Path(staged), row, shown=shown_target, textures=reading.textures)
     if reading.has_polygons and function not in _DECIMATIONS and not keeps_polygons(row, mesh_set.current_mesh()):
         lost.append("polygons are written as triangles")
-    notes = [f"{shown_source}: {note}" for note in reading.notes] + [f"{shown_target}: {note}" for note in lost]
-    return {"report": report.to_dict(), "notes": notes}
+    return [f"{shown_target}: {note}" for note in lost]

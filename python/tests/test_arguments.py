@@ -54,6 +54,8 @@ def test_every_number_is_checked_on_both_sides(tmp_path: Path) -> None:
 
     for command in commands():
         target = () if not command.filter.has("target_faces") else ("--percent", "50")
+        if command.has_levels:
+            target = ("--percents", "50")
         for row in command.filter.parameters:
             if row.type not in ("integer", "real") or row.id in WITHOUT_OPTION:
                 continue

@@ -260,6 +260,11 @@ HUGE = np.broadcast_to(np.zeros((1, 3)), (2**31, 3)), np.broadcast_to(np.zeros((
         ((V, F, {"target_faces": 5, "order": 1}), ValueError, "order = strict is for a pymeshlab.MeshSet or a"),
         ((V, F, {"target_faces": 5, "descriptor": "mean_curvature"}), ValueError, "descriptor = mean_curvature is for"),
         ((V, F, {"target_faces": 5, "new_layer": True}), ValueError, "new_layer = True is for a pymeshlab.MeshSet"),
+        (
+            (V, F, {"target_faces": 5, "lock_selected_vertices": True}),
+            ValueError,
+            "lock_selected_vertices = True is for a pymeshlab.MeshSet or a file, not for arrays",
+        ),
         ((V, F, {"target_faces": 5, "progress": 3}), TypeError, "progress must be a callable or True, not int"),
         ((V, F, {"target_faces": 5, "return_result": True}), TypeError, "return_result is for meshes of other"),
         (([[0.0, 0, 0]], [[0, 0, 0]], {"target_faces": 5}), TypeError, "list cannot be simplified; accepted are two"),

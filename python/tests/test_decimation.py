@@ -76,6 +76,23 @@ def test_only_the_selection_changes(load_sample) -> None:
     assert before <= after
 
 
+def test_selected_vertices_can_be_locked(load_sample) -> None:
+    """Bits are compared, of arrays with locked= too: both lock the same vertices, so the result is the same."""
+    mesh_set = load_sample("relief_scan.ply")
+    positions, faces = positions_and_faces(mesh_set)
+    with pytest.raises(ValueError, match="lock_selected_vertices = true, but no vertex is selected"):
+        ls.simplify(mesh_set, target_percent=10, lock_selected_vertices=True)
+    mesh_set.compute_selection_by_condition_per_vertex(condselect="x * y > 0.1")
+    locked = mesh_set.current_mesh().vertex_selection_array()
+    ls.simplify(mesh_set, target_percent=20, lock_selected_vertices=True)
+    after, faces_after = positions_and_faces(mesh_set)
+    assert 0 < locked.sum() < len(locked) / 2
+    assert set(map(tuple, positions[locked])) <= set(map(tuple, after))
+    arrays = ls.simplify(positions, faces.astype("u4"), target_percent=20, locked=locked)
+    assert np.array_equal(arrays.vertices, after)
+    assert np.array_equal(arrays.faces, faces_after)
+
+
 def test_locked_borders_stay_and_preserved_ones_keep_their_course(load_sample) -> None:
     for boundary, tolerance in (("lock", 0.0), ("preserve", 1e-3)):
         mesh_set = load_sample("folded_sheet.ply")

@@ -22,6 +22,7 @@ FUNCTIONS = {
     "compute_selection_by_laplacian_descriptor_per_vertex": ls.classify,
     "meshing_decimation_laplacian_quadric_edge_collapse": ls.simplify,
     "meshing_decimation_laplacian_weighted_edge_collapse": ls.weighted,
+    "generate_laplacian_levels_of_detail": ls.levels_of_detail,
     "apply_coord_umbrella_smoothing": ls.smooth,
 }
 NOT_IN_THE_TABLES = {"mesh", "faces", "selected", "locked", "quality", "progress", "return_result"}  # arrays' own
@@ -63,7 +64,9 @@ def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
     names = {"pymeshlab": pymeshlab, "PathLike": PathLike, "np": np, "NDArray": NDArray, "Any": typing.Any}
     hints = typing.get_type_hints(FUNCTIONS[row.python_name], names)
     hint = str(hints[parameter.id])
-    expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int"}[parameter.type]
+    expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int", "numbers": "float"}[
+        parameter.type
+    ]
     assert expected in hint
     for option in parameter.options:
         assert f"'{option.id}'" in hint
@@ -72,7 +75,7 @@ def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
 @pytest.mark.parametrize("row", filters(), ids=lambda row: row.name)
 def test_every_result_is_a_field_of_the_report(row) -> None:
     of_one_type = inspect.signature(FUNCTIONS[row.python_name]).return_annotation
-    report_type = ls.DecimationReport if row.has("target_faces") else of_one_type
+    report_type = ls.DecimationReport if row.has("target_faces") or row.has("percents") else of_one_type
     assert issubclass(report_type, Report)
     fields = {field.name: field for field in dataclasses.fields(report_type) if field.name != "mesh_set"}
     ids = {result.id for result in row.results}
@@ -97,9 +100,11 @@ def test_the_range_is_checked_here_and_by_the_plugin_in_the_same_words(row, para
     assert (mesh_set.current_mesh().vertex_matrix() == before).all()
 
 
-def _outside(parameter: Parameter) -> list[float]:
+def _outside(parameter: Parameter) -> list[float] | list[str]:
     if parameter.type == "boolean":
         return []
+    if parameter.type == "numbers":
+        return ["0", f"{parameter.maximum + 1:g}", "nan", "many", "1,,1"]
     values = [parameter.minimum - 1]
     if parameter.maximum < 2**31 - 1:
         values.append(parameter.maximum + 1)

@@ -50,11 +50,12 @@ class PlainMesh : public vcg::tri::TriMesh<std::vector<PlainVertex>, std::vector
 class PlainHost
 {
     std::vector<std::unique_ptr<PlainMesh>> layers_;
+    PlainMesh* current_;
 
   public:
     using MeshType = PlainMesh;
 
-    std::vector<std::string> log;
+    std::vector<std::string> log, suffixes;
     int progressCalls = 0;
     int stopAtCall = 0; ///< 0: never
     int geometryChanges = 0;
@@ -62,21 +63,26 @@ class PlainHost
     explicit PlainHost(const test_meshes::IndexedMesh& mesh)
     {
         layers_.push_back(std::make_unique<PlainMesh>());
+        current_ = layers_.front().get();
         test_meshes::Fill(Mesh(), mesh);
         GeometryChanged();
         geometryChanges = 0;
     }
 
-    PlainMesh& Mesh() { return *layers_.back(); }
+    PlainMesh& Mesh() { return *current_; }
     PlainMesh& Original() { return *layers_.front(); }
+    PlainMesh& Layer(std::size_t i) { return *layers_[i]; }
     std::size_t Layers() const { return layers_.size(); }
     void Require(std::uint32_t) {}
-    void ContinueOnCopy()
+    void ContinueOnCopy(const std::string& suffix)
     {
         auto copy = std::make_unique<PlainMesh>();
-        vcg::tri::Append<PlainMesh, PlainMesh>::MeshCopy(*copy, Mesh());
+        vcg::tri::Append<PlainMesh, PlainMesh>::MeshCopy(*copy, Original());
+        current_ = copy.get();
         layers_.push_back(std::move(copy));
+        suffixes.push_back(suffix);
     }
+    void ReturnToOriginal() { current_ = layers_.front().get(); }
     void GeometryChanged()
     {
         ++geometryChanges;
@@ -198,10 +204,15 @@ class TestFilters : public QObject
     void descriptorChangesOnlyTheSelection();
     void selectionOfFacesSurvivesTheSelectionOfVertices();
     void decimationKeepsWhatIsNotSelected();
+    void selectedVerticesCanBeLocked();
     void targetPercentIsOfTheSelection();
     void targetAboveTheFacesChangesNothing();
     void newLayerKeepsTheOriginal();
     void newLayerOfAMeshWithDeletedVertices();
+    void levelsAreLayersAndTheOriginalStays();
+    void levelsOfASelection();
+    void levelsOfAMeshWithDeletedVertices();
+    void badLevelsAreRefused();
     void smoothingMovesOnlyTheSelection();
     void qualityThatIsNoNumberIsRefused();
 };
@@ -458,6 +469,29 @@ void TestFilters::decimationKeepsWhatIsNotSelected()
     QCOMPARE(found, kept.size());
 }
 
+void TestFilters::selectedVerticesCanBeLocked()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    const std::map<std::string, GivenValue> values = {
+        {"target_percent", 10.0}, {"lock_selected_vertices", 1.0}, {"new_layer", 1.0}};
+    const auto before = Fingerprint(host.Mesh());
+    QCOMPARE(FailureOf(host, FilterId::GuidedDecimation, values),
+             QString("lock_selected_vertices = true, but no vertex is selected"));
+    QVERIFY(Fingerprint(host.Mesh()) == before);
+    std::set<std::vector<float>> locked;
+    const auto position = [](const PlainVertex& v) {
+        return std::vector<float>{v.cP()[0], v.cP()[1], v.cP()[2]};
+    };
+    for (std::size_t v = 0; v < host.Mesh().vert.size(); v += 20) {
+        host.Mesh().vert[v].SetS();
+        locked.insert(position(host.Mesh().vert[v]));
+    }
+    QVERIFY(Get<bool>(host.Apply(FilterId::GuidedDecimation, values), "target_reached"));
+    std::size_t stayed = 0;
+    for (const auto& v : host.Mesh().vert) stayed += locked.count(position(v));
+    QCOMPARE(stayed, locked.size());
+}
+
 void TestFilters::targetPercentIsOfTheSelection()
 {
     PlainHost host(test_meshes::Icosphere(3));
@@ -509,6 +543,77 @@ void TestFilters::newLayerOfAMeshWithDeletedVertices()
     for (const auto& v : holes.Mesh().vert) // a wrong vertex would be far from the sphere or torn off
         QVERIFY(std::abs(v.P().Norm() - 1) < 0.05F);
     for (const auto& face : holes.Mesh().face) QVERIFY(vcg::DoubleArea(face) < 1);
+}
+
+void TestFilters::levelsAreLayersAndTheOriginalStays()
+{
+    PlainHost host(test_meshes::Icosphere(3)), single(test_meshes::Icosphere(3));
+    const auto before = Fingerprint(host.Mesh());
+    const Report report =
+        host.Apply(FilterId::LevelsOfDetail, {{"percents", std::string("40,20,5")}, {"order", 0.0}});
+    single.Apply(FilterId::GuidedDecimation, {{"target_percent", 40.0}});
+    QCOMPARE(host.Layers(), std::size_t{4});
+    QVERIFY(host.suffixes == (std::vector<std::string>{" 40%", " 20%", " 5%"}));
+    QVERIFY(Fingerprint(host.Original()) == before);
+    QVERIFY(Fingerprint(host.Layer(1)) == Fingerprint(single.Mesh()));
+    const auto faces = Get<std::vector<double>>(report, "faces");
+    const auto vertices = Get<std::vector<double>>(report, "vertices");
+    const auto reached = Get<std::vector<double>>(report, "target_reached");
+    QCOMPARE(faces.size(), std::size_t{3});
+    for (std::size_t i = 0; i < 3; ++i) {
+        QCOMPARE(static_cast<int>(faces[i]), host.Layer(i + 1).fn);
+        QCOMPARE(static_cast<int>(vertices[i]), host.Layer(i + 1).vn);
+        QCOMPARE(reached[i], 1.0);
+    }
+    QVERIFY(host.log.front().find("40%: 1,280 -> 512 faces (40 %)") == 0);
+
+    PlainHost errors(test_meshes::Icosphere(3)), strict(test_meshes::Icosphere(3));
+    errors.Apply(FilterId::LevelsOfDetail, {{"max_errors", std::string("1,2.5")}});
+    QVERIFY(errors.suffixes == (std::vector<std::string>{" error 1%", " error 2.5%"}));
+    QVERIFY(errors.Layer(2).fn < errors.Layer(1).fn);
+    strict.Apply(FilterId::LevelsOfDetail, {{"percents", std::string("40,20")}, {"order", 1.0}});
+    QCOMPARE(strict.Layer(2).fn, 256);
+}
+
+void TestFilters::levelsOfASelection()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    SelectHalf(host.Mesh());
+    const std::size_t selected = CountSelectedFaces(host.Mesh());
+    host.Apply(FilterId::LevelsOfDetail, {{"percents", std::string("50,25")}});
+    for (const std::size_t i : {1U, 2U}) {
+        const auto left = static_cast<double>(CountSelectedFaces(host.Layer(i)));
+        QVERIFY(std::abs(left - static_cast<double>(selected) / (i == 1 ? 2 : 4)) <= 2);
+    }
+}
+
+/// Vertex 0 is deleted: every level has to be put into a copy whose vertices have other numbers.
+void TestFilters::levelsOfAMeshWithDeletedVertices()
+{
+    PlainHost host(test_meshes::Merged(test_meshes::BowTie(), test_meshes::Icosphere(3)));
+    PlainMesh& mesh = host.Mesh();
+    const std::size_t others = test_meshes::BowTie().points.size();
+    for (auto& face : mesh.face)
+        if (vcg::tri::Index(mesh, face.V(0)) < others) vcg::tri::Allocator<PlainMesh>::DeleteFace(mesh, face);
+    for (std::size_t v = 0; v < others; ++v) vcg::tri::Allocator<PlainMesh>::DeleteVertex(mesh, mesh.vert[v]);
+    host.Apply(FilterId::LevelsOfDetail);
+    for (const std::size_t i : {1U, 2U, 3U})
+        for (const auto& v : host.Layer(i).vert) QVERIFY(std::abs(v.P().Norm() - 1) < 0.1F); // not torn off
+}
+
+void TestFilters::badLevelsAreRefused()
+{
+    PlainHost host(test_meshes::Icosphere(2));
+    const std::pair<std::map<std::string, GivenValue>, const char*> refused[] = {
+        {{{"percents", std::string("10,50")}}, "percents = 50 comes after 10: the finest level is the first"},
+        {{{"percents", std::string()}}, "percents = \"\" has no level"},
+        {{{"max_errors", std::string("2,1")}}, "max_errors = 1 comes after 2: the finest level is the first"},
+        {{{"max_errors", std::string("1")}, {"max_error", 2.0}},
+         "max_error = 2 and max_errors are two bounds: give one of them"},
+        {{{"max_errors", std::string("1")}, {"order", 1.0}}, "max_errors = 1 needs order sweeps"}};
+    for (const auto& [values, said] : refused)
+        QCOMPARE(FailureOf(host, FilterId::LevelsOfDetail, values), QString(said));
+    QCOMPARE(host.Layers(), std::size_t{1});
 }
 
 void TestFilters::smoothingMovesOnlyTheSelection()

@@ -85,6 +85,7 @@ class TestTables : public QObject
     void valueOutsideItsRangeIsRefusedByName_data() { EveryParameter(); }
     void valueOutsideItsRangeIsRefusedByName();
     void refusalsAreSentences();
+    void numbersAreReadWithOrWithoutBlanks();
     void limitsOfTheRangeAreAccepted_data() { EveryParameter(); }
     void limitsOfTheRangeAreAccepted();
     void missingValuesAreTheDefaultOfTheMesh();
@@ -109,6 +110,7 @@ void TestTables::filterNamesAreThoseOfTheContract()
          "meshing_decimation_laplacian_quadric_edge_collapse"},
         {"Simplification: Laplacian-Weighted Edge Collapse (Zhang et al. 2012)",
          "meshing_decimation_laplacian_weighted_edge_collapse"},
+        {"Simplification: Laplacian-Guided Levels of Detail", "generate_laplacian_levels_of_detail"},
         {"Umbrella Smooth (Uniform, Scale- or Normal-Dependent)", "apply_coord_umbrella_smoothing"},
     };
     std::map<QString, QString> there;
@@ -140,15 +142,23 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "minimum_feature_neighbours",
                                                                          "refinement_floor",
                                                                          "class_as_quality"};
+    const QStringList ofBoth{"max_error",
+                             "feature_weight",
+                             "effort",
+                             "descriptor",
+                             "boundary",
+                             "preserve_topology",
+                             "selected_only",
+                             "lock_selected_vertices",
+                             "avoid_self_intersections",
+                             "clean_input",
+                             "weld_distance"};
     QTest::addRow("guided") << FilterId::GuidedDecimation
-                            << QStringList{"target_faces",  "target_percent",
-                                           "max_error",     "feature_weight",
-                                           "effort",        "descriptor",
-                                           "boundary",      "preserve_topology",
-                                           "selected_only", "avoid_self_intersections",
-                                           "clean_input",   "weld_distance",
-                                           "new_layer",     "measure_error",
-                                           "order",         "threads"};
+                            << QStringList{"target_faces", "target_percent"} + ofBoth +
+                                   QStringList{"new_layer", "measure_error", "order", "threads"};
+    QTest::addRow("levels") << FilterId::LevelsOfDetail
+                            << QStringList{"percents", "max_errors"} + ofBoth +
+                                   QStringList{"measure_error", "order", "threads"};
     QTest::addRow("weighted") << FilterId::WeightedDecimation
                               << QStringList{"error_function", "target_faces", "target_percent",
                                              "feature_weight", "descriptor",   "class_aware",
@@ -231,6 +241,8 @@ void TestTables::defaultsAreThoseOfTheContract()
     QCOMPARE(text(guided, "effort"), "1 `balanced`");
     QCOMPARE(text(guided, "boundary"), "1 `preserve`");
     QCOMPARE(text(guided, "order"), "0 `sweeps`");
+    QCOMPARE(text(FilterId::LevelsOfDetail, "percents"), "50,25,10");
+    QCOMPARE(text(FilterId::LevelsOfDetail, "max_errors"), "");
     QCOMPARE(text(guided, "measure_error"), "true");
     QCOMPARE(Find(guided, "target_faces").Default({100, 0}), 50.0);
     QCOMPARE(Find(guided, "target_faces").Default({100, 30}), 15.0);
@@ -249,8 +261,11 @@ void TestTables::defaultsAreThoseOfTheContract()
 void TestTables::defaultLiesInTheRangeOnEveryMesh()
 {
     QFETCH(const Parameter*, parameter);
-    for (const MeshFacts& facts : kMeshes)
-        QCOMPARE(Complaint(*parameter, parameter->Default(facts)), QString());
+    for (const MeshFacts& facts : kMeshes) {
+        GivenValue value = parameter->Default(facts);
+        if (parameter->type == ParameterType::Numbers) value = std::string(parameter->defaultValue.numbers);
+        QCOMPARE(Complaint(*parameter, value), QString());
+    }
     QCOMPARE(parameter->defaultValue.onMesh != nullptr, *parameter->defaultValue.description != '\0');
 }
 
@@ -287,7 +302,8 @@ void TestTables::valueOutsideItsRangeIsRefusedByName()
     std::vector<GivenValue> bad = {
         parameter->range.minimum - 1, parameter->range.maximum + 1, nan, infinity, -infinity,
         std::string("many")};
-    if (parameter->type != ParameterType::Real) bad.emplace_back(parameter->range.minimum + 0.5);
+    const bool real = parameter->type == ParameterType::Real || parameter->type == ParameterType::Numbers;
+    if (!real) bad.emplace_back(parameter->range.minimum + 0.5);
     if (!parameter->range.minimumIncluded) bad.emplace_back(parameter->range.minimum);
     for (const GivenValue& value : bad) {
         const QString complaint = Complaint(*parameter, value);
@@ -317,6 +333,21 @@ void TestTables::refusalsAreSentences()
     QCOMPARE(Complaint(Find(guided, "threads"), std::string("all")),
              "threads = \"all\" is not a number in [0, 1024]");
     QCOMPARE(Complaint(Find(FilterId::UmbrellaSmooth, "step_size"), 0.0), "step_size = 0 is outside (0, 1]");
+    const Parameter& percents = Find(FilterId::LevelsOfDetail, "percents");
+    const QString range = " is not a number in (0, 100] (percent of the faces)";
+    QCOMPARE(Complaint(percents, std::string("50, x,10")), "percents = \"50, x,10\": \"x\"" + range);
+    QCOMPARE(Complaint(percents, std::string("50,25%")), "percents = \"50,25%\": \"25%\"" + range);
+    QCOMPARE(Complaint(percents, std::string("50,,10")), "percents = \"50,,10\": \"\"" + range);
+    QCOMPARE(Complaint(percents, std::string("50,101")), "percents = \"50,101\": \"101\"" + range);
+    QCOMPARE(Complaint(percents, std::string("nan")), "percents = \"nan\": \"nan\"" + range);
+}
+
+void TestTables::numbersAreReadWithOrWithoutBlanks()
+{
+    const Parameter& percents = Find(FilterId::LevelsOfDetail, "percents");
+    QVERIFY(NumbersIn(percents, " 50,25 , 12.5") == (std::vector<double>{50, 25, 12.5}));
+    QVERIFY(NumbersIn(percents, "1e1") == std::vector<double>{10});
+    QVERIFY(NumbersIn(percents, "  ").empty());
 }
 
 void TestTables::limitsOfTheRangeAreAccepted()

@@ -8,9 +8,12 @@ from pathlib import Path
 
 import pytest
 
+import script_hosts
 from display import Display, running_display
 from host_programs import PROJECT, HostProgram, built_plugin, install_host
+from script_hosts import ScriptHost
 
+HOSTS = ["meshlab-2020.09", "meshlab-2022.02", "meshlab-2025.07", "pymeshlab-2025.7"]
 TABLES = PROJECT / "build" / "pymeshlab-2025.7" / "tables.json"
 
 
@@ -55,3 +58,14 @@ def installed_host(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], 
         return hosts[version]
 
     return host
+
+
+@pytest.fixture(params=HOSTS)
+def run_script(
+    request: pytest.FixtureRequest, display: Display, installed_host: Callable[[str], HostProgram]
+) -> ScriptHost:
+    if request.param == "pymeshlab-2025.7":
+        return script_hosts.pymeshlab
+    host = installed_host(request.param.removeprefix("meshlab-"))
+    start = script_hosts.meshlabserver if host.version == "2020.09" else script_hosts.script_runner
+    return start(host, display.name)

@@ -86,5 +86,6 @@ EXPECTATIONS = {
     "classify": Expectation({"class_as_quality": True}, _selection, r"[1-9][\d,]* of 11,840 vertices are features"),
     "simplify": Expectation({"target_percent": 10}, _decimation(10), r"23,680 -> 11,840 faces \(50 %\)"),
     "weighted": Expectation({"target_percent": 20}, _decimation(20), r"23,680 -> 11,840 faces \(50 %\)"),
+    "lod": Expectation({"percents": "80,50"}, _decimation(50), r"10%: 23,680 -> 2,368 faces \(10 %\)"),
     "smooth": Expectation({}, _smooth, r"[1-9][\d,]* of 11,840 vertices moved"),
 }

@@ -50,6 +50,52 @@ std::string Refusal(const Mesh& mesh, const MeshDecimationParameters& parameters
     return "";
 }
 
+/// Two wavy sheets that meet at equal coordinates, not joined, and a vertex on no face.
+test_meshes::IndexedMesh SheetsThatMeet()
+{
+    const test_meshes::IndexedMesh sheet = test_meshes::Grid(12, 12);
+    auto mesh = test_meshes::Merged(sheet, test_meshes::Moved(sheet, 0, 1, {12, 0, 0}));
+    for (auto& p : mesh.points) p[2] = std::sin(p[0]) * std::cos(0.7 * p[1]);
+    return test_meshes::WithIsolatedVertices(mesh, 1);
+}
+
+/// How many of the vertices that are selected in \p original are not there, with the same bits, in what
+/// Decimate and ApplyDecimation make of it.
+template <class Mesh>
+std::size_t SelectedThatChanged(const Mesh& original, Mesh& decimated, const Simplification& result)
+{
+    std::vector<std::uint8_t> stayed(original.vert.size(), 0);
+    ApplyDecimation(decimated, result.mesh, true);
+    for (std::size_t v = 0; v < decimated.vert.size(); ++v) {
+        const auto& before = original.vert[result.mesh.vertexOrigin[v]];
+        stayed[result.mesh.vertexOrigin[v]] = decimated.vert[v].cP() == before.cP();
+    }
+    std::size_t changed = 0;
+    for (std::size_t v = 0; v < stayed.size(); ++v)
+        changed += !original.vert[v].IsD() && original.vert[v].IsS() && !stayed[v];
+    return changed;
+}
+
+template <class Mesh>
+void CheckLocked(const MeshDecimationParameters& parameters)
+{
+    Mesh original, mesh;
+    for (Mesh* copy : {&original, &mesh}) {
+        test_meshes::Fill(*copy, SheetsThatMeet());
+        for (std::size_t v = 0; v < copy->vert.size(); v += 7) copy->vert[v].SetS();
+        copy->vert.back().SetS(); // of no face
+        for (auto& face : copy->face)
+            if (face.cP(0)[1] < 9) face.SetS(); // for selectedOnly
+        vcg::tri::Allocator<Mesh>::AddVertex(*copy, typename Mesh::CoordType(1, 2, 3))->SetS();
+        vcg::tri::Allocator<Mesh>::DeleteVertex(*copy, copy->vert.back()); // not there, though selected
+    }
+    const Simplification result = Decimate(mesh, parameters);
+    QVERIFY(result.report.faces < 400); // of 576
+    QVERIFY(result.report.stopReason != StopReason::Cancelled);
+    QCOMPARE(SelectedThatChanged(original, mesh, result), std::size_t{0});
+    QCOMPARE(mesh.vert.size(), result.mesh.vertexOrigin.size());
+}
+
 /// Every adjacency pointer leads to a live face that shares the edge.
 template <class Mesh>
 bool FaceAdjacencyIsRight(Mesh& mesh)
@@ -218,6 +264,43 @@ class TestDecimation : public QObject
         for (const auto& face : mesh.face)
             if (!face.IsS()) after.insert(corners(face));
         QVERIFY(before == after);
+    }
+
+    void lockedVerticesStayToTheBit_data()
+    {
+        QTest::addColumn<Order>("order");
+        QTest::addColumn<Effort>("effort");
+        QTest::addColumn<double>("maxError");
+        QTest::addColumn<bool>("selectedOnly");
+        QTest::newRow("sweeps fast") << Order::Sweeps << Effort::Fast << 0.0 << false;
+        QTest::newRow("sweeps balanced") << Order::Sweeps << Effort::Balanced << 0.0 << false;
+        QTest::newRow("sweeps best") << Order::Sweeps << Effort::Best << 0.0 << false;
+        QTest::newRow("strict fast") << Order::Strict << Effort::Fast << 0.0 << false;
+        QTest::newRow("strict balanced") << Order::Strict << Effort::Balanced << 0.0 << false;
+        QTest::newRow("strict best") << Order::Strict << Effort::Best << 0.0 << false;
+        QTest::newRow("bound") << Order::Sweeps << Effort::Balanced << 2.0 << false;
+        QTest::newRow("selection") << Order::Sweeps << Effort::Balanced << 0.0 << true;
+        QTest::newRow("strict selection") << Order::Strict << Effort::Balanced << 0.0 << true;
+    }
+    void lockedVerticesStayToTheBit()
+    {
+        QFETCH(Order, order);
+        QFETCH(Effort, effort);
+        QFETCH(double, maxError);
+        QFETCH(bool, selectedOnly);
+        auto parameters = Target(200);
+        parameters.lockSelectedVertices = true;
+        parameters.boundary = Boundary::Free;
+        parameters.order = order;
+        parameters.effort = effort;
+        parameters.maxError = maxError;
+        parameters.selectedOnly = selectedOnly;
+        for (const double weldDistance :
+             {0.0, 1.0}) { // the diagonal is 26.8, so no more than the seam is welded
+            parameters.weldDistance = weldDistance;
+            CheckLocked<FloatMesh>(parameters);
+            CheckLocked<DoubleMesh>(parameters);
+        }
     }
 
     void polygonsThatAreLeftKeepTheirDiagonals()

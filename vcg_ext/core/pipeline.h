@@ -144,6 +144,10 @@ class PipelineRun
     {
     }
 
+    const MeshView& View() const { return view_; }
+    const DecimationParameters& Parameters() const { return parameters_; }
+    const PipelineStages& Stages() const { return stages_; }
+
     /// Of the original's faces; null where no face is left.
     const FaceTree* Tree() const
     {
@@ -198,9 +202,8 @@ class PipelineRun
 
 /// Runs the stages, and again, guarded where faces cross, until no more of them cross than before.
 template <class Collapse>
-DecimatedMesh RunWithoutCrossings(PipelineRun<Collapse>& run, const PipelineStages& stages,
-                                  CrossingKeeper& keeper, DecimationReport& report,
-                                  const StageProgress& progress)
+DecimatedMesh RunWithoutCrossings(PipelineRun<Collapse>& run, CrossingKeeper& keeper,
+                                  DecimationReport& report, const StageProgress& progress)
 {
     constexpr int kRuns = 4; // the last of them is guarded everywhere
     for (int i = 0;; ++i) {
@@ -209,7 +212,7 @@ DecimatedMesh RunWithoutCrossings(PipelineRun<Collapse>& run, const PipelineStag
         report.selfIntersections = crossings.size();
         const bool done = mesh.triangles.empty() || keeper.Allows(crossings.size(), *run.Tree());
         report.selfIntersectionsBefore = keeper.Before();
-        if (done || i + 1 == kRuns || !stages.guardsCrossings) return mesh;
+        if (done || i + 1 == kRuns || !run.Stages().guardsCrossings) return mesh;
         keeper.Guard(crossings, mesh, *run.Tree(), i + 2 == kRuns);
     }
 }
@@ -226,6 +229,41 @@ inline AttributeReport AttributeCounts(const MeshView& view, const DecimatedMesh
     return report;
 }
 
+/// One result, finished and reported.
+template <class Collapse>
+Simplification ResultOf(PipelineRun<Collapse>& run, CrossingKeeper& keeper, std::size_t targetFaces,
+                        const StageProgress& progress)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const MeshView& view = run.View();
+    Simplification result;
+    DecimationReport found, &report = result.report;
+    result.mesh = run.Parameters().avoidSelfIntersections ? RunWithoutCrossings(run, keeper, found, progress)
+                                                          : run.Run(nullptr, progress);
+    run.TransferAttributes(result.mesh);
+    report = CountsOf(view, result.mesh, targetFaces);
+    report.selfIntersections = found.selfIntersections;
+    report.selfIntersectionsBefore = found.selfIntersectionsBefore;
+    if (result.mesh.wedges) report.attributes = AttributeCounts(view, result.mesh, report, targetFaces);
+    if (run.Stages().bound) report.certifiedError = run.Stages().bound->CertifiedError();
+    report.trace = std::move(run.trace);
+    report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report);
+    result.mesh.wedges.reset();
+    return result;
+}
+
+/// What is said of a run that was cancelled.
+inline Simplification CancelledRun(const MeshView& view)
+{
+    Simplification result;
+    result.mesh.stopReason = result.report.stopReason = StopReason::Cancelled;
+    result.report.facesBefore = result.report.faces = view.faceCount;
+    result.report.vertices = view.vertexCount;
+    return result;
+}
+
 /// The way from a mesh to its simplification, the same for every collapse:
 ///
 ///     descriptor and weights -> collapse -> refinement -> fold repair -> crossings -> attributes
@@ -238,37 +276,14 @@ template <class Collapse>
 Simplification RunPipeline(const MeshView& view, const DecimationParameters& parameters,
                            const PipelineStages& stages, const Collapse& collapse)
 {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
     const int threads = ResolveThreads(parameters.threads);
-    const StageProgress progress(parameters.progress);
-    Simplification result;
-    DecimationReport& report = result.report;
     try {
         PipelineRun<Collapse> run(view, parameters, stages, collapse, threads);
-        DecimationReport found;
         CrossingKeeper keeper(view, threads);
-        result.mesh = parameters.avoidSelfIntersections
-                          ? RunWithoutCrossings(run, stages, keeper, found, progress)
-                          : run.Run(nullptr, progress);
-        run.TransferAttributes(result.mesh);
-        report = CountsOf(view, result.mesh, parameters.targetFaces);
-        report.selfIntersections = found.selfIntersections;
-        report.selfIntersectionsBefore = found.selfIntersectionsBefore;
-        if (result.mesh.wedges)
-            report.attributes = AttributeCounts(view, result.mesh, report, parameters.targetFaces);
-        if (stages.bound) report.certifiedError = stages.bound->CertifiedError();
-        report.trace = std::move(run.trace);
-        report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (parameters.measureError && run.Tree()) run.Measure(result.mesh, report);
-        result.mesh.wedges.reset();
+        return ResultOf(run, keeper, parameters.targetFaces, StageProgress(parameters.progress));
     } catch (const Cancelled&) {
-        result = {};
-        result.mesh.stopReason = report.stopReason = StopReason::Cancelled;
-        report.facesBefore = report.faces = view.faceCount;
-        report.vertices = view.vertexCount;
+        return CancelledRun(view);
     }
-    return result;
 }
 
 } // namespace vcg_ext

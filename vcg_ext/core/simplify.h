@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
@@ -63,6 +64,16 @@ inline void CheckMesh(const MeshView& view)
                                     std::to_string(view.faceCount) + " faces are not finite");
 }
 
+/// \throws std::invalid_argument as CheckParameters and CheckMesh, and where the order needs VCG's queue,
+///         which only vcg_ext/decimate.h has
+inline void CheckForSweeps(const MeshView& view, const DecimationParameters& parameters)
+{
+    CheckParameters(parameters);
+    CheckMesh(view);
+    if (parameters.order == Order::Strict)
+        throw std::invalid_argument("order = strict needs vcg_ext/decimate.h");
+}
+
 /// CollapseEngine as the first stage of the pipeline.
 struct SweepCollapse {
     const DecimationParameters& parameters;
@@ -89,11 +100,26 @@ struct SweepCollapse {
     }
 };
 
+/// Turns the result of a cleaned input into one of \p view: faces and counts are the input's.
+inline void NameAsInput(const MeshView& view, const CleanedInput& clean, Simplification& result)
+{
+    for (std::uint32_t& face : result.mesh.faceOrigin) face = clean.FaceOrigin(face);
+    result.report.facesBefore = view.faceCount;
+    if (result.report.stopReason == StopReason::Cancelled)
+        result.report.faces = view.faceCount;
+    else
+        result.report.cleaning = clean.Report();
+}
+inline void NameAsInput(const MeshView& view, const CleanedInput& clean, std::vector<Simplification>& levels)
+{
+    for (Simplification& level : levels) NameAsInput(view, clean, level);
+}
+
 /// Runs on what is left of a mesh when it has been cleaned, and names faces as the input does.
-/// \param run called as run(view), returns a Simplification
+/// \param run called as run(view), returns a Simplification or several
 /// \throws std::invalid_argument if no face is left
 template <class Run>
-Simplification OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
+auto OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
 {
     if (!parameters.cleanInput) return run(view);
     const double distance =
@@ -102,22 +128,23 @@ Simplification OnCleanInput(const MeshView& view, const DecimationParameters& pa
     if (clean.View().faceCount == 0)
         throw std::invalid_argument("weld_distance = " + std::to_string(parameters.weldDistance) +
                                     " leaves no face: every one has two corners that are welded");
-    Simplification result = run(clean.View());
-    for (std::uint32_t& face : result.mesh.faceOrigin) face = clean.FaceOrigin(face);
-    result.report.facesBefore = view.faceCount;
-    if (result.report.stopReason == StopReason::Cancelled)
-        result.report.faces = view.faceCount;
-    else
-        result.report.cleaning = clean.Report();
+    auto result = run(clean.View());
+    NameAsInput(view, clean, result);
     return result;
+}
+
+inline PipelineStages StagesOfSweeps(Effort effort)
+{
+    PipelineStages stages = StagesOf(effort);
+    stages.guardsCrossings = true;
+    if (!stages.refine) stages.collapseEnds = stages.repairBegins;
+    return stages;
 }
 
 /// The sweep engine from a mesh to its report.
 inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
-    PipelineStages stages = StagesOf(parameters.effort);
-    stages.guardsCrossings = true;
-    if (!stages.refine) stages.collapseEnds = stages.repairBegins;
+    PipelineStages stages = StagesOfSweeps(parameters.effort);
     std::optional<BoundKeeper> bound;
     if (parameters.maxError > 0)
         stages.bound = &bound.emplace(view, parameters.maxError, ResolveThreads(parameters.threads));
@@ -131,16 +158,12 @@ inline Simplification RunSweeps(const MeshView& view, const DecimationParameters
 ///     parameters.targetFaces = 1000;
 ///     const auto [mesh, report] = vcg_ext::Simplify(view, parameters);
 ///
-/// \throws std::invalid_argument as CheckParameters and CheckMesh, and where the order needs VCG's queue,
-///         which only vcg_ext/decimate.h has; std::length_error for 2^29 faces and more;
+/// \throws std::invalid_argument as CheckForSweeps; std::length_error for 2^29 faces and more;
 ///         std::bad_alloc
 /// \pre indices of the view are below its vertexCount
 inline Simplification Simplify(const MeshView& view, const DecimationParameters& parameters)
 {
-    CheckParameters(parameters);
-    CheckMesh(view);
-    if (parameters.order == Order::Strict)
-        throw std::invalid_argument("order = strict needs vcg_ext/decimate.h");
+    CheckForSweeps(view, parameters);
     return OnCleanInput(view, parameters, [&](const MeshView& mesh) { return RunSweeps(mesh, parameters); });
 }
 

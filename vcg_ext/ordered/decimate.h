@@ -28,7 +28,7 @@
 // Decimations that take one collapse at a time, the cheapest first, from the queue of vcg::LocalOptimization,
 // on the calling thread. The results never have a non-manifold edge or vertex, a duplicate or a degenerate
 // face that the input did not have, and no collapse turns a face by more than 78 degrees. A vertex that never
-// moved is returned with the input's coordinates. Vertices without faces are left out.
+// moved is returned with the input's coordinates. Vertices without faces are left out unless they are fixed.
 //
 // Several threads may decimate at the same time, each its own view; queue.h says why VCG allows that.
 

@@ -134,7 +134,8 @@ class CollapsibleMesh
         for (const auto& face : mesh_.face)
             for (int k = 0; k < 3 && !face.IsD(); ++k) place[vcg::tri::Index(mesh_, face.cV(k))] = 0;
         for (std::size_t v = 0; v < view_.vertexCount; ++v) {
-            if (place[v] == OrderedDecimation::kNoVertex) continue;
+            const bool fixed = view_.fixedVertices != nullptr && view_.fixedVertices[v] != 0;
+            if (place[v] == OrderedDecimation::kNoVertex && !fixed) continue;
             place[v] = static_cast<std::uint32_t>(result.positions.size());
             result.positions.push_back(method.HasMoved(v) ? method.Position(v) : view_.Position(v));
             result.vertexOrigin.push_back(static_cast<std::uint32_t>(v));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -82,6 +83,15 @@ class Buffer
         Release();
         Take(std::malloc(BytesFor(size) + kAlignment), size, kAlignment);
     }
+
+    /// The first \p count values. \pre they are there \throws std::bad_alloc
+    Buffer Copy(std::size_t count) const
+    {
+        Buffer copy(count);
+        std::copy_n(data_, count, copy.data_);
+        return copy;
+    }
+    Buffer Copy() const { return Copy(size_); }
 
     /// The same with all bits 0, for many values that are visited in no order of theirs: on pages of 2 MiB,
     /// where the system has them. The first touch of a small page costs as much as the work on all that is in

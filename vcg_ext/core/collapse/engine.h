@@ -42,8 +42,10 @@ struct KeptForLater {
 /// Collapses edges in sweeps over arrays, each up to a threshold of the cost, on several threads:
 ///
 ///     CollapseEngine engine(view, parameters);        // reads and orders the mesh
-///     engine.Collapse(parameters.targetFaces);        // may be called again with lower targets
-///     CollapsedSurface surface = std::move(engine).Extract();
+///     engine.Collapse(parameters.targetFaces);
+///     CollapsedSurface surface = engine.Copy();       // a level of detail
+///     engine.Collapse(fewerFaces);                    // goes on where the last call stopped
+///     CollapsedSurface last = std::move(engine).Extract();
 ///
 /// The result is bit-identical for any number of threads. Faces that name a vertex twice are left out unless
 /// all their vertices are fixed; vertices without faces are left out unless they are fixed. \pre the view
@@ -73,6 +75,9 @@ class CollapseEngine
     CollapseEngine(const CollapseEngine&) = delete; // the schedule holds on to the state
     CollapseEngine& operator=(const CollapseEngine&) = delete;
 
+    /// From now on the calls of Collapse report to \p progress.
+    void ReportTo(StageProgress progress) { progress_ = std::move(progress); }
+
     /// Collapses edges until at most \p targetFaces are left or none may be collapsed.
     /// \throws Cancelled
     StopReason Collapse(std::size_t targetFaces)
@@ -88,25 +93,32 @@ class CollapseEngine
     /// What is left, as compact arrays; the engine is used up.
     CollapsedSurface Extract() &&
     {
-        const Buffer<std::uint32_t> place = ExtractVertices();
-        ExtractFaces(place);
-        if (!state_.mergedInto.empty()) MakeRoots(place);
-        if (state_.keepOriginal) {
-            surface_.original.corners = state_.originalCorners.empty() ? std::move(state_.corners)
-                                                                       : std::move(state_.originalCorners);
-            BuildCornerLists(surface_.simplified);
-        }
-        if (bound_) KeepCoverage();
-        if (wedges_) {
-            surface_.wedges = ExtractWedges(state_, *wedges_);
-            surface_.wedges->inputChart = std::move(inputCharts_);
-            wedges_.reset();
-        }
+        CollapsedSurface surface = std::move(surface_);
+        ExtractTo(surface);
+        if (state_.keepOriginal) surface.original.corners = std::move(OriginalCorners());
+        wedges_.reset();
+        state_.mergedInto.Release();
         state_.vertices.Release();
         state_.faces.Release();
         state_.corners.Release();
         state_.spareCorners.Release();
-        return std::move(surface_);
+        return surface;
+    }
+
+    /// The same, and Collapse can be called again. It takes room for another original where that is kept.
+    CollapsedSurface Copy()
+    {
+        CollapsedSurface surface;
+        surface.frame = surface_.frame;
+        surface.descriptor = surface_.descriptor;
+        surface.stopReason = surface_.stopReason;
+        surface.trace = surface_.trace;
+        if (state_.keepOriginal) {
+            surface.original = CopyOf(surface_.original);
+            surface.original.corners = OriginalCorners().Copy(3 * surface_.original.FaceCount());
+        }
+        ExtractTo(surface);
+        return surface;
     }
 
   private:
@@ -162,13 +174,32 @@ class CollapseEngine
         state_.crossings = &*crossings_;
     }
 
-    void KeepCoverage()
+    /// The input's lists are the first of their pool, whichever that is by now.
+    Buffer<Corner>& OriginalCorners()
+    {
+        return state_.originalCorners.empty() ? state_.corners : state_.originalCorners;
+    }
+
+    /// All of \p surface but what has been known since the start.
+    void ExtractTo(CollapsedSurface& surface)
+    {
+        const Buffer<std::uint32_t> place = ExtractVertices(surface);
+        ExtractFaces(place, surface);
+        if (!state_.mergedInto.empty()) MakeRoots(place, surface);
+        if (state_.keepOriginal) BuildCornerLists(surface.simplified);
+        if (bound_) KeepCoverage(surface);
+        if (!wedges_) return;
+        surface.wedges = ExtractWedges(state_, *wedges_);
+        surface.wedges->inputChart = inputCharts_;
+    }
+
+    void KeepCoverage(CollapsedSurface& surface) const
     {
         const CoveredPoints& covered = bound_->covered;
-        surface_.coveredBy.assign(inputVertices_, kNowhere);
+        surface.coveredBy.assign(inputVertices_, kNowhere);
         for (std::size_t v = 0; v < state_.vertices.size(); ++v)
             if (covered.face[v] != kNone)
-                surface_.coveredBy[state_.origin[v]] =
+                surface.coveredBy[state_.origin[v]] =
                     state_.faces[covered.face[v]].origin & ~FaceRecord::kDead;
     }
 
@@ -213,9 +244,9 @@ class CollapseEngine
     }
 
     /// \return where each of the state's vertices is in the simplified surface
-    Buffer<std::uint32_t> ExtractVertices()
+    Buffer<std::uint32_t> ExtractVertices(CollapsedSurface& surface) const
     {
-        SurfaceArrays& simplified = surface_.simplified;
+        SurfaceArrays& simplified = surface.simplified;
         simplified.sharedSeams = state_.sharedSeams;
         const std::size_t vertices = state_.vertices.size();
         Buffer<std::uint32_t> place(vertices);
@@ -223,43 +254,42 @@ class CollapseEngine
         for (std::size_t v = 0; v < vertices; ++v) place[v] = Survives(v) ? count++ : kNowhere;
         simplified.points.Allocate(count);
         simplified.flags.Allocate(count);
-        surface_.vertexOrigin.Allocate(count);
+        surface.vertexOrigin.Allocate(count);
         for (std::size_t v = 0; v < vertices; ++v) {
             const std::uint32_t to = place[v];
             if (to == kNowhere) continue;
             const auto p = state_.Position(static_cast<std::uint32_t>(v));
             simplified.points[to] = {p.x, p.y, p.z, 1};
             simplified.flags[to] = static_cast<std::uint8_t>(state_.flags[v] & ~kMergedVertex);
-            surface_.vertexOrigin[to] = state_.origin[v];
+            surface.vertexOrigin[to] = state_.origin[v];
         }
         return place;
     }
 
-    void ExtractFaces(const Buffer<std::uint32_t>& place)
+    void ExtractFaces(const Buffer<std::uint32_t>& place, CollapsedSurface& surface) const
     {
-        surface_.simplified.triangles.Allocate(state_.aliveFaces);
-        surface_.faceOrigin.Allocate(state_.aliveFaces);
-        surface_.faceOrder.reserve(state_.faces.size());
+        surface.simplified.triangles.Allocate(state_.aliveFaces);
+        surface.faceOrigin.Allocate(state_.aliveFaces);
+        surface.faceOrder.reserve(state_.faces.size());
         std::size_t to = 0;
         for (const FaceRecord& face : state_.faces) {
-            surface_.faceOrder.push_back(face.origin & ~FaceRecord::kDead);
+            surface.faceOrder.push_back(face.origin & ~FaceRecord::kDead);
             if (!face.Alive()) continue;
-            surface_.simplified.triangles[to] = {{place[face.v[0]], place[face.v[1]], place[face.v[2]]}};
-            surface_.faceOrigin[to++] = face.origin;
+            surface.simplified.triangles[to] = {{place[face.v[0]], place[face.v[1]], place[face.v[2]]}};
+            surface.faceOrigin[to++] = face.origin;
         }
     }
 
-    void MakeRoots(const Buffer<std::uint32_t>& place)
+    void MakeRoots(const Buffer<std::uint32_t>& place, CollapsedSurface& surface)
     {
         Buffer<std::uint32_t>& into = state_.mergedInto;
-        surface_.root.Allocate(into.size());
+        surface.root.Allocate(into.size());
         for (std::uint32_t v = 0; v < into.size(); ++v) {
             std::uint32_t root = v;
             while (into[root] != root) root = into[root];
             for (std::uint32_t at = v; into[at] != root;) at = std::exchange(into[at], root);
-            surface_.root[v] = place[root];
+            surface.root[v] = place[root];
         }
-        into.Release();
     }
 };
 

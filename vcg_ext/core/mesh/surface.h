@@ -73,6 +73,20 @@ struct SurfaceArrays {
     std::size_t FaceCount() const { return triangles.size(); }
 };
 
+inline SurfaceArrays CopyOf(const SurfaceArrays& surface)
+{
+    SurfaceArrays copy;
+    copy.points = surface.points.Copy();
+    copy.triangles = surface.triangles.Copy();
+    copy.cornerOffset = surface.cornerOffset.Copy();
+    copy.cornerCount = surface.cornerCount.Copy();
+    copy.corners = surface.corners.Copy();
+    copy.flags = surface.flags.Copy();
+    copy.sharedSeams = surface.sharedSeams;
+    copy.wedges = surface.wedges;
+    return copy;
+}
+
 enum SurfaceFlag : std::uint8_t {
     kBorderVertex = 1, ///< on an edge that does not have exactly two faces
     kFixedVertex = 2,  ///< must keep its position (selection, lock)
