@@ -88,13 +88,13 @@ def test_fetch_content_without_eigen_qt_and_openmp(
     assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_find_package(tmp_path: Path, prefix: Path, compiler: str, assert_same_bytes: object) -> None:
+@pytest.mark.parametrize(("compiler", "standard"), list(zip(COMPILERS, STANDARDS, strict=True)))
+def test_find_package(tmp_path: Path, prefix: Path, compiler: str, standard: int, assert_same_bytes: object) -> None:
     """Also for a program with a VCG mesh of its own, and with the arithmetic that the same bytes need."""
-    build = build_consumer("find_package", compiler, CMAKE_PREFIX_PATH=prefix, VCGLIB_DIR=VCGLIB)
-    for standard in STANDARDS:
-        assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
-        assert run(build / f"simplify_vcg_mesh_{standard}").stdout == "20480 faces became 1000\n"
+    settings = {"CMAKE_PREFIX_PATH": prefix, "VCGLIB_DIR": VCGLIB, "STANDARDS": standard}
+    build = build_consumer("find_package", compiler, **settings)
+    assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
+    assert run(build / f"simplify_vcg_mesh_{standard}").stdout == "20480 faces became 1000\n"
 
 
 def test_package_asks_for_exact_arithmetic_only(prefix: Path) -> None:

@@ -137,17 +137,15 @@ class TestCrossings : public QObject
         QFETCH(Effort, effort);
         for (const IndexedMesh& mesh : {TwoSheets(), Shell(4, 0.015)}) {
             QVERIFY(CrossingsOf(mesh).empty());
-            for (const double percent : {5.0, 1.0}) {
-                DecimationParameters parameters = Percent(mesh, percent, effort);
-                const Simplification result = Simplify(View(mesh), parameters);
-                QVERIFY(CrossingsOf(MeshOf(result)).empty());
-                QVERIFY(result.report.selfIntersections == std::size_t{0});
-                QVERIFY(result.report.targetReached);
-                parameters.avoidSelfIntersections = false;
-                const Simplification plain = Simplify(View(mesh), parameters);
-                QVERIFY(!plain.report.selfIntersections);
-                if (percent < 2) QVERIFY(!CrossingsOf(MeshOf(plain)).empty());
-            }
+            DecimationParameters parameters = Percent(mesh, 1, effort);
+            const Simplification result = Simplify(View(mesh), parameters);
+            QVERIFY(CrossingsOf(MeshOf(result)).empty());
+            QVERIFY(result.report.selfIntersections == std::size_t{0});
+            QVERIFY(result.report.targetReached);
+            parameters.avoidSelfIntersections = false;
+            const Simplification plain = Simplify(View(mesh), parameters);
+            QVERIFY(!plain.report.selfIntersections);
+            QVERIFY(!CrossingsOf(MeshOf(plain)).empty());
         }
     }
 

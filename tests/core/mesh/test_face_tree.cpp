@@ -43,6 +43,17 @@ Truth MeasureAll(const SurfaceArrays& surface, const Vector3<float>& p, const Ve
     return truth;
 }
 
+/// The least absolute cosine between a face's normal and \p direction.
+float LeastSlope(const SurfaceArrays& surface, const Vector3<float>& direction)
+{
+    float least = 1;
+    for (std::uint32_t f = 0; f < surface.FaceCount(); ++f) {
+        const Vector3<float> normal = AreaVector(surface, f);
+        if (Norm(normal) > 0) least = std::min(least, std::abs(Dot(normal, direction)) / Norm(normal));
+    }
+    return least;
+}
+
 } // namespace
 
 class TestFaceTree : public QObject
@@ -50,6 +61,30 @@ class TestFaceTree : public QObject
     Q_OBJECT
 
   private slots:
+    /// Also where the only wanted faces are far away, behind many that are not.
+    void closestOfSomeFaces()
+    {
+        const IndexedMesh mesh = Noisy(Icosphere(3), 0.05);
+        const auto frame = vcg_ext::FrameOf(View(mesh));
+        const SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
+        const FaceTree tree(View(mesh), frame, 1);
+        for (const std::uint32_t only : {0u, 700u, 1279u})
+            for (const float limit2 : {kFar, 1e4F}) {
+                const auto wanted = [&](std::uint32_t f) { return f == only || f == only / 2; };
+                for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+                    const Vector3<float> p = 1.1F * PositionOf(surface, v);
+                    const float a2 = tree.Distance2ToFace(only, p), b2 = tree.Distance2ToFace(only / 2, p);
+                    const auto found = tree.ClosestWanted(p, limit2, wanted);
+                    if (std::min(a2, b2) > 1.001F * limit2) QVERIFY(!(found.distance2 < kFar));
+                    if (std::min(a2, b2) < 0.999F * limit2) {
+                        QVERIFY(wanted(found.face));
+                        // four lanes at a time round in another order
+                        QVERIFY(std::abs(found.distance2 - std::min(a2, b2)) <= 1e-4F * found.distance2);
+                    }
+                }
+            }
+    }
+
     void answersAsEveryFaceMeasured()
     {
         for (const IndexedMesh& mesh : {Noisy(Icosphere(3), 0.05), Shell(2, 0.03), Box(1), Grid(1, 1)}) {
@@ -74,6 +109,11 @@ class TestFaceTree : public QObject
                     QVERIFY(close(tree.DistanceAlong2(p, direction), truth.along2));
                 else
                     QVERIFY(!(tree.DistanceAlong2(p, direction) < kFar));
+                // a reach twice as far as a face that faces away, or half as far as the nearest of them
+                if (truth.away2 < kFar) QVERIFY(tree.MayFaceAway(p, direction, 4 * truth.away2));
+                const bool mayAway = tree.MayFaceAway(p, direction, truth.away2 / 4);
+                // a face that is seen from its edge, up to rounding, may count as one that faces away
+                QVERIFY(!mayAway || LeastSlope(surface, direction) < 2e-3F);
                 // within a thousandth it may be an edge of both sides, and either answer is right
                 if (std::abs(truth.along2 - truth.away2) <= 1e-3F * nearest2) continue;
                 const bool away = truth.away2 < truth.along2;

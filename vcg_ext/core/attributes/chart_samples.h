@@ -36,7 +36,7 @@ inline std::array<float, 3> SpreadWeights(std::size_t index)
 class ChartSamples
 {
     static constexpr std::size_t kPerFace = 16;     ///< of the simplified surface
-    static constexpr std::size_t kMostPerFace = 24; ///< of the original
+    static constexpr std::size_t kMostPerFace = 4; ///< of the original
     static constexpr std::size_t kGrain = 512;
 
   public:

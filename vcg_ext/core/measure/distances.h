@@ -93,7 +93,23 @@ OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, 
     return all;
 }
 
-inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified, int threads)
+/// The larger of \p known2 and the largest squared distance of \p count points.
+template <class PointAt>
+double Largest2(const ExactSurface& to, std::size_t count, const PointAt& point, double known2, int threads)
+{
+    std::vector<double> parts((count + kGrain - 1) / kGrain, known2);
+    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
+        double& largest2 = parts[begin / kGrain];
+        ExactSurface::Search search;
+        for (std::size_t i = begin; i < end; ++i) largest2 = to.LargerDistance2(point(i), largest2, search);
+    });
+    for (const double part : parts) known2 = std::max(known2, part);
+    return known2;
+}
+
+/// \param near2 squared distance within which most centroids are
+inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified, double near2,
+                               int threads)
 {
     std::vector<std::size_t> parts((simplified.FaceCount() + kGrain - 1) / kGrain);
     ParallelRanges(threads, simplified.FaceCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
@@ -101,6 +117,7 @@ inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface&
         for (std::size_t f = begin; f < end; ++f) {
             const Vector3<double> centroid =
                 (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
+            original.LargerDistance2(centroid, near2, search); // so that the last face is a near one
             if (original.FacesAwayFrom(centroid, simplified.AreaVector(f), search)) ++parts[begin / kGrain];
         }
     });
@@ -157,19 +174,19 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
         from, toPoints.size(), [&](std::size_t i) { return toPoints[i]; }, threads);
     const auto feature = Measure(
         to, features.size(), [&](std::size_t i) { return from.Vertex(features[i]); }, threads);
-    const auto corners = Measure(
-        to, vertices.size(), [&](std::size_t i) { return from.Vertex(vertices[i]); }, threads);
-    const auto back = Measure(
-        from, result.vertexCount, [&](std::size_t v) { return to.Vertex(v); }, threads);
+    const auto vertexAt = [&](std::size_t i) { return from.Vertex(vertices[i]); };
+    const auto resultVertexAt = [&](std::size_t v) { return to.Vertex(v); };
+    double largest2 = std::max({forward.largest2, backward.largest2, feature.largest2});
+    largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
+    largest2 = Largest2(from, result.vertexCount, resultVertexAt, largest2, threads);
 
     // The frame may be the simplified mesh's; percents are of the original's diagonal.
     const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / tree.frame().scale);
     DistanceReport report;
-    report.hausdorff =
-        percent * std::sqrt(std::max({forward.largest2, backward.largest2, corners.largest2, back.largest2}));
+    report.hausdorff = percent * std::sqrt(largest2);
     report.rms = percent * std::sqrt((forward.MeanSquare() + backward.MeanSquare()) / 2);
     report.featureRms = percent * std::sqrt(feature.MeanSquare());
-    report.folded = CountFolded(from, to, threads);
+    report.folded = CountFolded(from, to, largest2, threads);
     return report;
 }
 

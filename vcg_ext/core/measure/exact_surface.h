@@ -89,6 +89,19 @@ class ExactSurface
         return std::nullopt;
     }
 
+    /// The larger of \p known2 and the squared distance of \p p: where some face is closer than that, most
+    /// often the last one, the closest is not looked for.
+    double LargerDistance2(const Vector3<double>& p, double known2, Search& search) const
+    {
+        if (search.last && Distance2ToFace(*search.last, p) <= known2) return known2;
+        if (const auto near = tree_.FaceWithin(Rounded(p), static_cast<float>(known2));
+            near && Distance2ToFace(near->face, p) <= known2) {
+            search.last = near->face;
+            return known2;
+        }
+        return std::max(known2, Distance2(p, search));
+    }
+
     /// Whether the face closest to \p p is turned by more than 90 degrees against \p direction. Of several
     /// that are equally close, as on both sides of an edge, one that is not is enough.
     bool FacesAwayFrom(const Vector3<double>& p, const Vector3<double>& direction, Search& search) const
@@ -97,6 +110,7 @@ class ExactSurface
         constexpr double kZero2 = 1e-18;  // 1e-12 of the diagonal, squared
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
         double along2 = kInfinity, away2 = kInfinity;
+        if (NoneNearFacesAway(p, direction, search)) return false;
         FindClosest(p, search);
         search.found.push_back({0, *search.last});
         for (const FaceTree::Candidate& candidate : search.found) {
@@ -107,6 +121,17 @@ class ExactSurface
     }
 
   private:
+    /// Does no face turn away that is as close as the last one, which does not? Most often that is so, and is
+    /// seen sooner than the closest face is found.
+    bool NoneNearFacesAway(const Vector3<double>& p, const Vector3<double>& direction,
+                           const Search& search) const
+    {
+        const double length = Norm(direction);
+        if (!search.last || !(length > 0) || Dot(AreaVector(*search.last), direction) < 0) return false;
+        const double reach2 = Distance2ToFace(*search.last, p);
+        return !tree_.MayFaceAway(Rounded(p), Rounded((1 / length) * direction), Reach2(reach2));
+    }
+
     /// Finds the closest face, search.last, its distance and what may be as close.
     /// \param limit2 farther faces are of no interest
     void FindClosest(const Vector3<double>& p, Search& search,

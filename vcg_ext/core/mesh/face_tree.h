@@ -116,6 +116,25 @@ class FaceTree
         return IsAway(sides);
     }
 
+    /// May some face that is not farther than the root of \p limit2 face away from \p direction, a unit
+    /// vector? False only where none does.
+    bool MayFaceAway(const Vector3<float>& point, const Vector3<float>& direction, float limit2) const
+    {
+        constexpr float kSafe = 1e-3F; // rounding of normals that are not those of needles
+        bool found = false;
+        const auto someFaceAway = [&](const FourNodes& nodes) {
+            return nodes.normals.LeastDots(direction) < Splat(kSafe);
+        };
+        Search(point, someFaceAway, limit2, [&](const FourTriangles& faces, const FourIndices&) {
+            const PreparedTriangle<Float4> t = faces.Prepared();
+            const Int4 away = Dot(Splat(direction), {t.nx, t.ny, t.nz}) < Splat(kSafe);
+            const Int4 near = ClosestOnTriangle(faces.Seen(point), t).distance2 <= Splat(limit2);
+            found |= AnyLane(away & near);
+            return found ? -1.0F : limit2;
+        });
+        return found;
+    }
+
     /// Squared distance to the nearest face that does not face away from \p direction; the largest float
     /// where all do.
     float DistanceAlong2(const Vector3<float>& point, const Vector3<float>& direction) const
@@ -213,18 +232,17 @@ class FaceTree
     template <class Wanted>
     Candidate ClosestWanted(const Vector3<float>& point, float limit2, const Wanted& wanted) const
     {
-        Candidate best{kFar, 0};
-        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
-            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const Candidate here{distance2[lane], indices[lane]};
-                const bool closer = here.distance2 < best.distance2 ||
-                                    (here.distance2 == best.distance2 && here.face < best.face);
-                if (here.distance2 <= limit2 && closer && wanted(here.face)) best = here;
-            }
-            return limit2 = std::min(limit2, best.distance2);
-        });
-        return best;
+        if (limit2 < kFar) return WantedWithin(point, limit2, wanted);
+        // Everything in reach is looked at until a wanted face is found, so the reach grows step by step.
+        constexpr float kWider2 = 16, kSizes2 = 4;
+        const Candidate any = WantedWithin(point, kFar, [](std::uint32_t) { return true; });
+        if (wanted(any.face)) return any;
+        float reach2 = std::max(kWider2 * any.distance2, kSizes2 * Size2(any.face));
+        for (; reach2 > 0 && reach2 < kFar; reach2 *= kWider2) {
+            const Candidate best = WantedWithin(point, reach2, wanted);
+            if (best.distance2 < kFar) return best;
+        }
+        return WantedWithin(point, kFar, wanted);
     }
 
     /// Squared distance to one face.
@@ -298,6 +316,33 @@ class FaceTree
 
   private:
     static constexpr std::size_t kMaxCandidates = 64;
+
+    template <class Wanted>
+    Candidate WantedWithin(const Vector3<float>& point, float limit2, const Wanted& wanted) const
+    {
+        Candidate best{kFar, 0};
+        Search(point, AllNodes, limit2, [&](const FourTriangles& faces, const FourIndices& indices) {
+            const Float4 distance2 = ClosestOnTriangle(faces.Seen(point), faces.Prepared()).distance2;
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const Candidate here{distance2[lane], indices[lane]};
+                const bool closer = here.distance2 < best.distance2 ||
+                                    (here.distance2 == best.distance2 && here.face < best.face);
+                if (here.distance2 <= limit2 && closer && wanted(here.face)) best = here;
+            }
+            return limit2 = std::min(limit2, best.distance2);
+        });
+        return best;
+    }
+
+    /// Squared length of the longest of two sides of a face.
+    float Size2(std::uint32_t face) const
+    {
+        const auto corner = [&](std::size_t k) {
+            const SurfacePoint& p = points_[triangles_[3 * std::size_t{face} + k]];
+            return Vector3<float>{p.x, p.y, p.z};
+        };
+        return std::max(SquaredNorm(corner(1) - corner(0)), SquaredNorm(corner(2) - corner(0)));
+    }
 
     static void DropFar(std::vector<Candidate>& found, float limit2)
     {
