@@ -63,10 +63,8 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
 template <class Mesh>
 MeshSimplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
 {
-    CheckParameters(parameters);
     const MeshArrays<Mesh> arrays(mesh);
     MeshView view = arrays.View();
-    CheckMesh(view);
     std::vector<std::uint8_t> outside;
     if (parameters.selectedOnly) {
         outside = arrays.OutsideSelection(mesh);

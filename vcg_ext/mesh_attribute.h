@@ -85,6 +85,12 @@ struct AttributeLayout {
     bool doubledVertices = false; ///< some were welded: where their values differ they are doubled again
 };
 
+inline bool HasTexture(const AttributeLayout& layout)
+{
+    const auto isTexture = [](const MeshAttribute& a) { return a.Row().kind == ChannelKind::Texture; };
+    return std::any_of(layout.attributes.begin(), layout.attributes.end(), isTexture);
+}
+
 namespace mesh_attribute_detail
 {
 

@@ -60,6 +60,7 @@ class MeshAttributes
                    const AttributeReading& reading)
         : mesh_(mesh), arrays_(arrays), view_(view), reading_(reading)
     {
+        if (view.faceCount == 0) return;
         for (MeshAttribute& attribute : AttributesOf(mesh)) Consider(std::move(attribute));
         ShareEqualTextures();
         LabelByTexture();
@@ -195,7 +196,7 @@ class MeshAttributes
     /// The vertex that stands for \p v once the mesh is welded.
     std::uint32_t Welded(std::uint32_t v)
     {
-        if (!std::exchange(knowsWeld_, true) && reading_.welds)
+        if (!std::exchange(knowsWeld_, true) && reading_.welds && CountNonFinite(view_) == 0)
             weld_ = WeldedVertices(view_, reading_.weldDistance, reading_.threads);
         return weld_.empty() ? v : weld_[v];
     }

@@ -36,7 +36,8 @@ class PlainFace;
 struct PlainTypes : vcg::UsedTypes<vcg::Use<PlainVertex>::AsVertexType, vcg::Use<PlainFace>::AsFaceType> {
 };
 class PlainVertex : public vcg::Vertex<PlainTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
-                                       vcg::vertex::Qualityf, vcg::vertex::Color4b, vcg::vertex::BitFlags>
+                                       vcg::vertex::Qualityf, vcg::vertex::Color4b, vcg::vertex::TexCoord2f,
+                                       vcg::vertex::BitFlags>
 {
 };
 class PlainFace : public vcg::Face<PlainTypes, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags>
@@ -63,6 +64,7 @@ class PlainHost
     {
         layers_.push_back(std::make_unique<PlainMesh>());
         test_meshes::Fill(Mesh(), mesh);
+        for (auto& v : Mesh().vert) v.T() = {0, 0};
         GeometryChanged();
         geometryChanges = 0;
     }
@@ -211,6 +213,7 @@ void TestFilters::returnsExactlyTheResultsOfItsTable()
     QFETCH(FilterId, filter);
     const test_meshes::IndexedMesh box = test_meshes::Box(4);
     PlainHost host(test_meshes::Merged(box, test_meshes::Moved(box, 0.3, 1, {0.4, 0.3, 0.2}))); // crossing
+    for (auto& v : host.Mesh().vert) v.T() = {v.P()[0], v.P()[1]};
     QStringList expected, returned;
     for (const Result* row : ResultsOf(filter)) expected << row->id;
     std::map<std::string, GivenValue> values;
