@@ -104,8 +104,9 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
         return missed + "no further collapse is possible without damage "
                         "(flipped faces, non-manifold edges, changes to locked parts)";
     case vcg_ext::StopReason::Seams:
-        return missed + "seams hold the last faces of their charts; set \"Seams\" to ignore, or make a texture of "
-                        "fewer parts";
+        return missed +
+               "seams hold the last faces of their charts; set \"Seams\" to ignore, or make a texture of "
+               "fewer parts";
     case vcg_ext::StopReason::Cancelled:
         return "canceled; the mesh is unchanged";
     }

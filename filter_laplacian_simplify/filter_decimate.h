@@ -111,7 +111,8 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
         report = decimation.report;
         layout = decimation.attributes;
         if (decimation.attributesIgnored)
-            host.Log("Order strict does not transfer attributes: the remaining vertices and faces keep theirs");
+            host.Log(
+                "Order strict does not transfer attributes: the remaining vertices and faces keep theirs");
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
@@ -119,8 +120,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     }
     report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
-    for (const std::string& line : LogLines(report, target, wishes.errorBound, layout))
-        host.Log(line);
+    for (const std::string& line : LogLines(report, target, wishes.errorBound, layout)) host.Log(line);
     return ToReport(report, layout);
 }
 

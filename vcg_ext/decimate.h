@@ -30,7 +30,7 @@ struct MeshDecimationParameters : DecimationParameters {
 
 /// A simplification of a VCG mesh.
 struct MeshSimplification : Simplification {
-    AttributeLayout attributes;      ///< of the corner values
+    AttributeLayout attributes;     ///< of the corner values
     bool attributesIgnored = false; ///< the mesh has attributes that order strict does not know
 };
 
@@ -82,7 +82,8 @@ MeshSimplification Decimate(const Mesh& mesh, const MeshDecimationParameters& pa
     std::vector<std::uint32_t> keys;
     if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
     if (!keys.empty()) view.vertexKeys = keys.data();
-    MeshSimplification result{Decimate(view, static_cast<const DecimationParameters&>(parameters)), {}, ignored};
+    MeshSimplification result{
+        Decimate(view, static_cast<const DecimationParameters&>(parameters)), {}, ignored};
     if (view.attributes) {
         result.attributes = attributes->Layout();
         const auto& cleaning = result.report.cleaning;

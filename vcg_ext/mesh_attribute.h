@@ -81,7 +81,7 @@ struct MeshAttribute {
 struct AttributeLayout {
     std::vector<MeshAttribute> attributes;
     std::size_t channels = 0;
-    bool vertexTextures = false; ///< vertices have different texture indices
+    bool vertexTextures = false;  ///< vertices have different texture indices
     bool doubledVertices = false; ///< some were welded: where their values differ they are doubled again
 };
 
@@ -101,7 +101,8 @@ inline unsigned char ToByte(double part)
     return static_cast<unsigned char>(std::clamp(std::round(kByte * part), 0.0, kByte));
 }
 
-// Each of these reads and writes component c of element i: a vertex, a face, or corner k of face f as 3 f + k.
+// Each of these reads and writes component c of element i: a vertex, a face, or corner k of face f as 3 f +
+// k.
 
 template <class Mesh>
 struct WedgeTexture {
@@ -138,10 +139,7 @@ struct VertexTexture {
 template <class Mesh>
 struct VertexColor {
     Mesh& mesh;
-    double Get(std::size_t i, std::size_t c) const
-    {
-        return mesh.vert[i].cC()[static_cast<int>(c)] / kByte;
-    }
+    double Get(std::size_t i, std::size_t c) const { return mesh.vert[i].cC()[static_cast<int>(c)] / kByte; }
     void Set(std::size_t i, std::size_t c, double x) const
     {
         mesh.vert[i].C()[static_cast<int>(c)] = ToByte(x);
@@ -164,10 +162,7 @@ struct WedgeColor {
 template <class Mesh>
 struct FaceColor {
     Mesh& mesh;
-    double Get(std::size_t i, std::size_t c) const
-    {
-        return mesh.face[i].cC()[static_cast<int>(c)] / kByte;
-    }
+    double Get(std::size_t i, std::size_t c) const { return mesh.face[i].cC()[static_cast<int>(c)] / kByte; }
     void Set(std::size_t i, std::size_t c, double x) const
     {
         mesh.face[i].C()[static_cast<int>(c)] = ToByte(x);
@@ -214,7 +209,8 @@ struct CustomPoint {
     vcg::SimpleTempDataBase& data;
     double Get(std::size_t i, std::size_t c) const
     {
-        return static_cast<double>((*static_cast<const vcg::Point3<Number>*>(data.At(i)))[static_cast<int>(c)]);
+        return static_cast<double>(
+            (*static_cast<const vcg::Point3<Number>*>(data.At(i)))[static_cast<int>(c)]);
     }
     void Set(std::size_t i, std::size_t c, double x) const
     {
@@ -281,18 +277,22 @@ void WithAccess(Mesh& mesh, const MeshAttribute& attribute, const Visit& visit)
 template <class Mesh>
 std::vector<MeshAttribute> AttributesOf(const Mesh& mesh)
 {
-    const bool has[] = {vcg::tri::HasPerWedgeTexCoord(mesh), vcg::tri::HasPerVertexTexCoord(mesh),
-                        vcg::tri::HasPerVertexColor(mesh),   vcg::tri::HasPerVertexQuality(mesh),
-                        vcg::tri::HasPerWedgeColor(mesh),    vcg::tri::HasPerFaceColor(mesh),
-                        false,                               false,
-                        vcg::tri::HasPerVertexRadius(mesh),  vcg::tri::HasPerFaceQuality(mesh)};
+    const bool has[] = {vcg::tri::HasPerWedgeTexCoord(mesh),
+                        vcg::tri::HasPerVertexTexCoord(mesh),
+                        vcg::tri::HasPerVertexColor(mesh),
+                        vcg::tri::HasPerVertexQuality(mesh),
+                        vcg::tri::HasPerWedgeColor(mesh),
+                        vcg::tri::HasPerFaceColor(mesh),
+                        false,
+                        false,
+                        vcg::tri::HasPerVertexRadius(mesh),
+                        vcg::tri::HasPerFaceQuality(mesh)};
     std::vector<MeshAttribute> attributes;
     const auto addCustom = [&](const auto& all, AttributeCarrier carrier) {
         for (const auto& custom : all) { // in the order of their names; those of no name are temporary
             const std::size_t components = mesh_attribute_detail::ComponentsOf(custom._type);
             if (components > 0 && !custom._name.empty())
-                attributes.push_back(
-                    {carrier, custom._name, std::vector<AttributeComponent>(components)});
+                attributes.push_back({carrier, custom._name, std::vector<AttributeComponent>(components)});
         }
     };
     for (std::size_t i = 0; i < std::size(has); ++i) {
@@ -300,8 +300,8 @@ std::vector<MeshAttribute> AttributesOf(const Mesh& mesh)
         if (carrier == AttributeCarrier::CustomVertex) addCustom(mesh.vert_attr, carrier);
         if (carrier == AttributeCarrier::CustomFace) addCustom(mesh.face_attr, carrier);
         if (has[i])
-            attributes.push_back({carrier, kCarriers[i].name,
-                                  std::vector<AttributeComponent>(kCarriers[i].components)});
+            attributes.push_back(
+                {carrier, kCarriers[i].name, std::vector<AttributeComponent>(kCarriers[i].components)});
     }
     return attributes;
 }

@@ -188,8 +188,9 @@ class MeshAttributes
         using Key = std::pair<std::int32_t, std::decay_t<decltype(first)>>;
         std::map<Key, std::int32_t> labelOf;
         for (std::size_t f = 0; f < view_.faceCount; ++f)
-            labels_[f] = labelOf.emplace(Key{labels_[f], numberOf(f)}, static_cast<std::int32_t>(labelOf.size()))
-                             .first->second;
+            labels_[f] =
+                labelOf.emplace(Key{labels_[f], numberOf(f)}, static_cast<std::int32_t>(labelOf.size()))
+                    .first->second;
         return true;
     }
 
@@ -210,8 +211,8 @@ class MeshAttributes
             for (const auto& [f, g] : neighbors_) {
                 bool differ = false;
                 for (std::size_t c = 0; c < attribute.components.size(); ++c)
-                    differ = differ ||
-                             access.Get(arrays_.FaceIndex(f), c) != access.Get(arrays_.FaceIndex(g), c);
+                    differ =
+                        differ || access.Get(arrays_.FaceIndex(f), c) != access.Get(arrays_.FaceIndex(g), c);
                 changes += differ;
             }
         });
@@ -251,9 +252,8 @@ class MeshAttributes
     {
         const AttributePlace place = attribute.Row().place;
         if (place == AttributePlace::Wedge) {
-            FillCorners(attribute.components[c], [&](std::size_t i) {
-                return access.Get(3 * arrays_.FaceIndex(i / 3) + i % 3, c);
-            });
+            FillCorners(attribute.components[c],
+                        [&](std::size_t i) { return access.Get(3 * arrays_.FaceIndex(i / 3) + i % 3, c); });
         } else if (place == AttributePlace::Face) {
             const std::vector<double> means = MeansAtVertices(
                 3 * view_.faceCount, [&](std::size_t i) { return view_.triangles[i]; },

@@ -28,7 +28,7 @@ class AttributeWriter
     const AttributeLayout& layout_;
     const DecimatedMesh& result_;
     const std::vector<std::uint32_t>& inputFaces_; ///< the index in mesh.face of every face of the input
-    std::vector<std::uint8_t> untouched_; ///< of every face of the result: it is as it was
+    std::vector<std::uint8_t> untouched_;          ///< of every face of the result: it is as it was
     /// Corners with one value; those of a vertex follow each other, and the first of them keeps it.
     struct Group {
         std::uint32_t vertex, end; ///< of mesh.vert; in corners_
@@ -36,7 +36,7 @@ class AttributeWriter
     };
     std::vector<Group> groups_;
     std::vector<std::uint32_t> corners_; ///< corner k of the result's face f is 3 f + k
-    std::vector<short> textures_;        ///< texture index of every corner, where vertices have different ones
+    std::vector<short> textures_; ///< texture index of every corner, where vertices have different ones
 
   public:
     /// \pre mesh is as it was when it was read
@@ -45,12 +45,10 @@ class AttributeWriter
         : mesh_(mesh), layout_(layout), result_(result), inputFaces_(inputFaces),
           untouched_(result.triangles.size(), 1)
     {
-        for (std::size_t i = 0; i < CornerCount(); ++i)
-            untouched_[i / 3] = untouched_[i / 3] && IsAsItWas(i);
+        for (std::size_t i = 0; i < CornerCount(); ++i) untouched_[i / 3] = untouched_[i / 3] && IsAsItWas(i);
         if (layout_.vertexTextures)
             for (std::size_t i = 0; i < CornerCount(); ++i)
-                textures_.push_back(
-                    static_cast<short>(FaceOf(i / 3).cV(static_cast<int>(i % 3))->cT().N()));
+                textures_.push_back(static_cast<short>(FaceOf(i / 3).cV(static_cast<int>(i % 3))->cT().N()));
         SortCorners();
     }
 
@@ -74,10 +72,7 @@ class AttributeWriter
     std::size_t CornerCount() const { return 3 * result_.triangles.size(); }
     std::size_t FaceIndex(std::size_t f) const { return inputFaces_[result_.faceOrigin[f]]; }
     auto& FaceOf(std::size_t f) { return mesh_.face[FaceIndex(f)]; }
-    std::uint32_t ResultVertex(std::size_t corner) const
-    {
-        return result_.triangles[corner / 3][corner % 3];
-    }
+    std::uint32_t ResultVertex(std::size_t corner) const { return result_.triangles[corner / 3][corner % 3]; }
     float Value(std::size_t corner, std::uint32_t channel) const
     {
         return result_.cornerValues[corner * layout_.channels + channel];
@@ -151,7 +146,8 @@ class AttributeWriter
                             const std::vector<Tolerance>& tolerances)
     {
         const auto from = corners_.begin() + at, to = corners_.begin() + end;
-        const auto there = at > first ? from : std::find_if(from, to, [&](std::uint32_t i) { return WasThere(i); });
+        const auto there =
+            at > first ? from : std::find_if(from, to, [&](std::uint32_t i) { return WasThere(i); });
         const std::uint32_t leader = there == to ? *from : *there;
         const auto alike = [&](std::uint32_t i) {
             if (!textures_.empty() && textures_[i] != textures_[leader]) return false;
