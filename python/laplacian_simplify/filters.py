@@ -25,6 +25,7 @@ M = TypeVar("M")
 Effort = Literal["fast", "balanced", "best"]
 Boundary = Literal["free", "preserve", "lock"]
 Order = Literal["sweeps", "strict"]
+Seams = Literal["keep", "ignore"]
 Computed = Literal["laplacian", "normalised_umbrella", "mean_curvature", "gaussian_curvature", "curvature_estimation"]
 Guidance = Computed | Literal["vertex_quality"]
 WeightedGuidance = Guidance | Literal["curvature_weighted_quadric"]
@@ -41,6 +42,9 @@ class FileOptions(TypedDict, total=False):
     descriptor: Guidance | int | None
     boundary: Boundary | int | None
     preserve_topology: bool | None
+    keep_attributes: bool | None
+    attribute_weight: float | None
+    seams: Seams | int | None
     avoid_self_intersections: bool | None
     clean_input: bool | None
     weld_distance: float | None
@@ -83,6 +87,9 @@ def simplify(
     boundary: Boundary | int | None = None,
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
+    keep_attributes: bool | None = None,
+    attribute_weight: float | None = None,
+    seams: Seams | int | None = None,
     avoid_self_intersections: bool | None = None,
     clean_input: bool | None = None,
     weld_distance: float | None = None,
@@ -118,6 +125,10 @@ def simplify(
         boundary: open borders are free, preserved (default) or locked.
         preserve_topology: keep every handle, hole and component.
         selected_only: only the selected faces are decimated; default where faces are selected.
+        keep_attributes: texture coordinates, materials, colors, quality and custom attributes guide, and are fitted
+            to the result; their seams stay (default). As the next two for mesh sets and files.
+        attribute_weight: of attributes against the shape, 0 to 100; 1 by default; 0: they guide nothing.
+        seams: keep them (default), or ignore them where the target asks for it.
         avoid_self_intersections: no more faces cross each other than before (default); the report says so if that could
             not be kept.
         clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces and vertices
@@ -156,6 +167,9 @@ def simplify(
         "boundary": boundary,
         "preserve_topology": preserve_topology,
         "selected_only": selected_only,
+        "keep_attributes": keep_attributes,
+        "attribute_weight": attribute_weight,
+        "seams": seams,
         "avoid_self_intersections": avoid_self_intersections,
         "clean_input": clean_input,
         "weld_distance": weld_distance,

@@ -14,7 +14,13 @@ from .summary import summary_lines
 if TYPE_CHECKING:
     import pymeshlab
 
-STOP_REASONS = ("target reached", "error bound reached", "no further collapse possible without damage", "canceled", "seams hold the last faces of their charts")
+STOP_REASONS = (
+    "target reached",
+    "error bound reached",
+    "no further collapse possible without damage",
+    "canceled",
+    "seams hold the last faces of their charts",
+)
 """What the numbers of ``stop_reason`` mean."""
 
 
