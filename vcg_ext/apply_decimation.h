@@ -64,7 +64,7 @@ void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferen
     }
     decimation_detail::ForgetAdjacency(mesh);
     std::optional<AttributeWriter<Mesh>> attributes;
-    if (!layout.attributes.empty()) attributes.emplace(mesh, layout, result, live);
+    if (!layout.attributes.empty() || layout.vertexTextures) attributes.emplace(mesh, layout, result, live);
     for (std::size_t v = 0; v < result.positions.size(); ++v) {
         const auto& p = result.positions[v];
         mesh.vert[result.vertexOrigin[v]].P() =

@@ -50,13 +50,15 @@ def test_attributes_follow_the_surface() -> None:
     mesh_set = painted()
     report = ls.simplify(mesh_set, target_percent=20)
     check(mesh_set.current_mesh())
-    assert report.attribute_rms is not None and len(report.attribute_rms) == 5
+    assert report.attribute_rms is not None
+    assert len(report.attribute_rms) == 5
     texture, color, quality, height, place = report.attribute_rms
     assert 0 < texture < 0.01
     assert 0 < color < 2
     assert max(quality, height) < 0.05
     assert place < 0.05
-    assert report.texture_deviation is not None and report.largest_texture_deviation is not None
+    assert report.texture_deviation is not None
+    assert report.largest_texture_deviation is not None
     assert 0 < report.texture_deviation < report.largest_texture_deviation < 3
     assert report.turned_texture_faces == 0
     assert report.faces_held_by_seams == 0
@@ -79,7 +81,8 @@ def test_without_them_vertices_keep_their_values() -> None:
     mesh_set = painted()
     before = set(mesh_set.current_mesh().vertex_scalar_array())
     report = ls.simplify(mesh_set, target_percent=20, keep_attributes=False)
-    assert report.attribute_rms is None and report.texture_deviation is None
+    assert report.attribute_rms is None
+    assert report.texture_deviation is None
     assert set(mesh_set.current_mesh().vertex_scalar_array()) <= before
     assert (
         np.abs(mesh_set.current_mesh().vertex_scalar_array() - linear(mesh_set.current_mesh().vertex_matrix())).max()
