@@ -38,9 +38,9 @@ class PaintedVertex
                          vcg::vertex::Color4b, vcg::vertex::TexCoord2f, vcg::vertex::BitFlags>
 {
 };
-class PaintedFace : public vcg::Face<PaintedTypes, vcg::face::VertexRef, vcg::face::WedgeTexCoord2f,
-                                     vcg::face::WedgeColor4b, vcg::face::Color4b, vcg::face::FFAdj,
-                                     vcg::face::BitFlags>
+class PaintedFace
+    : public vcg::Face<PaintedTypes, vcg::face::VertexRef, vcg::face::WedgeTexCoord2f,
+                       vcg::face::WedgeColor4b, vcg::face::Color4b, vcg::face::FFAdj, vcg::face::BitFlags>
 {
 };
 /// Single precision, with everything from the start.
@@ -142,8 +142,8 @@ IndexedMesh CutSheet(int size = 24)
         for (const std::uint32_t v : t) x += sheet.points[v][0];
         std::array<std::size_t, 3> corner{};
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto [place, isNew] = index.emplace(std::make_pair(t[k], x > 1.5),
-                                                      static_cast<std::uint32_t>(cut.points.size()));
+            const auto [place, isNew] =
+                index.emplace(std::make_pair(t[k], x > 1.5), static_cast<std::uint32_t>(cut.points.size()));
             if (isNew) cut.points.push_back(sheet.points[t[k]]);
             corner[k] = place->second;
         }
@@ -387,7 +387,8 @@ class TestMeshAttributes : public QObject
         FloatPainted mesh;
         FillPlain(mesh, test_meshes::Grid(16, 16, 1.0 / 16));
         for (std::size_t f = 0; f < mesh.face.size(); ++f)
-            for (int k = 0; k < 3; ++k) mesh.face[f].WC(k) = vcg::Color4b(CentroidX(mesh, f) > 0.5, 0, 0, 255);
+            for (int k = 0; k < 3; ++k)
+                mesh.face[f].WC(k) = vcg::Color4b(CentroidX(mesh, f) > 0.5, 0, 0, 255);
         Decimated(mesh, Target(30));
         for (std::size_t f = 0; f < mesh.face.size(); ++f)
             for (int k = 0; k < 3; ++k)
@@ -477,7 +478,8 @@ class TestMeshAttributes : public QObject
         QCOMPARE(static_cast<std::size_t>(mesh.vn), result.mesh.positions.size());
     }
 
-    /// Texture coordinates of vertices that repeat those of the wedges are no second texture, and follow them.
+    /// Texture coordinates of vertices that repeat those of the wedges are no second texture, and follow
+    /// them.
     void texturesThatAreEqualAreOne()
     {
         FloatPainted mesh;
