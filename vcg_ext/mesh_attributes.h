@@ -19,6 +19,7 @@
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/weld.h"
 #include "vcg_ext/mesh_arrays.h"
+#include "vcg_ext/attribute_access.h"
 #include "vcg_ext/mesh_attribute.h"
 
 namespace vcg_ext

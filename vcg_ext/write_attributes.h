@@ -13,6 +13,7 @@
 #include <vcg/complex/allocate.h>
 
 #include "vcg_ext/core/mesh/decimated_mesh.h"
+#include "vcg_ext/attribute_access.h"
 #include "vcg_ext/mesh_attribute.h"
 
 namespace vcg_ext

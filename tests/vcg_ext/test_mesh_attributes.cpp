@@ -33,9 +33,9 @@ class PaintedFace;
 struct PaintedTypes
     : vcg::UsedTypes<vcg::Use<PaintedVertex>::AsVertexType, vcg::Use<PaintedFace>::AsFaceType> {
 };
-class PaintedVertex
-    : public vcg::Vertex<PaintedTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::Qualityf,
-                         vcg::vertex::Color4b, vcg::vertex::TexCoord2f, vcg::vertex::BitFlags>
+class PaintedVertex : public vcg::Vertex<PaintedTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
+                                         vcg::vertex::Qualityf, vcg::vertex::Color4b, vcg::vertex::TexCoord2f,
+                                         vcg::vertex::Radiusf, vcg::vertex::BitFlags>
 {
 };
 class PaintedFace
@@ -71,8 +71,11 @@ class DoublePainted
 
 void SwitchOn(FloatPainted& mesh)
 {
-    for (auto& f : mesh.face)
+    for (auto& v : mesh.vert) v.R() = 1;
+    for (auto& f : mesh.face) {
+        f.Q() = 0;
         for (int k = 0; k < 3; ++k) f.WC(k) = vcg::Color4b(9, 9, 9, 9);
+    }
 }
 void SwitchOn(DoublePainted& mesh)
 {
@@ -354,9 +357,9 @@ class TestMeshAttributes : public QObject
             alphas.insert(v.C()[3]);
         }
         QVERIFY(alphas.count(255) && alphas.count(128));
-        QCOMPARE(mesh_attribute_detail::ToByte(99.5 / 255), static_cast<unsigned char>(100));
-        QCOMPARE(mesh_attribute_detail::ToByte(1.5), static_cast<unsigned char>(255));
-        QCOMPARE(mesh_attribute_detail::ToByte(-0.1), static_cast<unsigned char>(0));
+        QCOMPARE(attribute_access_detail::ToByte(99.5 / 255), static_cast<unsigned char>(100));
+        QCOMPARE(attribute_access_detail::ToByte(1.5), static_cast<unsigned char>(255));
+        QCOMPARE(attribute_access_detail::ToByte(-0.1), static_cast<unsigned char>(0));
     }
 
     /// Hard colors of faces are theirs: none is mixed, and their border stays. Smooth ones are means of what
@@ -379,6 +382,33 @@ class TestMeshAttributes : public QObject
         for (std::size_t f = 0; f < smooth.face.size(); ++f) { // 6: half a face of the input, and rounding
             QVERIFY2(std::fabs(smooth.face[f].C()[0] - color(f)) < 6, qPrintable(QString::number(f)));
             QCOMPARE(static_cast<int>(smooth.face[f].C()[1]), 9);
+        }
+    }
+
+    /// The same of their quality and of custom attributes; a number that is a name is never mixed.
+    void numbersOfFacesAreHardOrSmooth()
+    {
+        FloatPainted mesh;
+        FillPlain(mesh, Sheet());
+        auto part = vcg::tri::Allocator<FloatPainted>::AddPerFaceAttribute<double>(mesh, "part");
+        auto place = vcg::tri::Allocator<FloatPainted>::AddPerFaceAttribute<vcg::Point3d>(mesh, "place");
+        for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+            part[f] =
+                mesh.face[f].P(0)[1] + mesh.face[f].P(1)[1] + mesh.face[f].P(2)[1] > 1.5f ? 1e9 + 1 : 0.1;
+            place[f] = {CentroidX(mesh, f), 2, -CentroidX(mesh, f)};
+            mesh.face[f].Q() = static_cast<float>(1000 * CentroidX(mesh, f));
+        }
+        for (auto& v : mesh.vert) v.R() = 5 + v.P()[0];
+        const MeshSimplification result = Decimated(mesh, Target(100));
+        QCOMPARE(result.attributes.attributes.size(), std::size_t{3}); // without the parts
+        for (auto& v : mesh.vert) QVERIFY(std::fabs(v.R() - 5 - v.P()[0]) < 1e-4f);
+        for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+            const auto& p = mesh.face[f];
+            QCOMPARE(part[f], p.cP(0)[1] + p.cP(1)[1] + p.cP(2)[1] > 1.5f ? 1e9 + 1 : 0.1);
+            const double x = CentroidX(mesh, f); // 0.02: half a face of the input
+            QVERIFY(std::fabs(place[f][0] - x) < 0.02 && std::fabs(place[f][2] + x) < 0.02);
+            QCOMPARE(place[f][1], 2.0);
+            QVERIFY(std::fabs(static_cast<double>(p.cQ()) - 1000 * x) < 20);
         }
     }
 
