@@ -40,7 +40,8 @@ class PaintedVertex : public vcg::Vertex<PaintedTypes, vcg::vertex::Coord3f, vcg
 };
 class PaintedFace
     : public vcg::Face<PaintedTypes, vcg::face::VertexRef, vcg::face::WedgeTexCoord2f,
-                       vcg::face::WedgeColor4b, vcg::face::Color4b, vcg::face::FFAdj, vcg::face::BitFlags>
+                       vcg::face::WedgeColor4b, vcg::face::Color4b, vcg::face::Qualityf, vcg::face::FFAdj,
+                       vcg::face::BitFlags>
 {
 };
 /// Single precision, with everything from the start.
@@ -285,6 +286,8 @@ class TestMeshAttributes : public QObject
         FloatPainted mesh;
         const IndexedMesh sheet = CutSheet();
         FillPlain(mesh, sheet);
+        auto name = vcg::tri::Allocator<FloatPainted>::AddPerVertexAttribute<int>(mesh, "name");
+        for (std::size_t v = 0; v < mesh.vert.size(); ++v) name[v] = 5;
         for (std::size_t f = 0; f < mesh.face.size(); ++f) {
             const bool right = CentroidX(mesh, f) > 0.5;
             for (int k = 0; k < 3; ++k) {
@@ -311,6 +314,8 @@ class TestMeshAttributes : public QObject
                         sides[{v->P()[0], v->P()[1]}].insert(right ? 1 : 0);
                 }
             }
+            for (std::size_t v = 0; v < mesh.vert.size(); ++v) // the new ones, too
+                QVERIFY(name[v] == 5 && mesh.vert[v].Q() == 3);
             QVERIFY(sides.size() >= 2);
             for (const auto& [point, both] : sides) QCOMPARE(both.size(), std::size_t{2});
             // Two halves: a disk each, with vertices of its own.
