@@ -107,6 +107,9 @@ struct Quality {
     }
 };
 
+template <class Elements>
+Quality(Elements&) -> Quality<Elements>;
+
 template <class Mesh>
 struct VertexRadius {
     Mesh& mesh;
@@ -183,7 +186,7 @@ void WithAccess(Mesh& mesh, const MeshAttribute& attribute, const Visit& visit)
     case AttributeCarrier::VertexColor:
         return visit(VertexColor<Mesh>{mesh});
     case AttributeCarrier::VertexQuality:
-        return visit(Quality<std::remove_reference_t<decltype((mesh.vert))>>{mesh.vert});
+        return visit(Quality{mesh.vert});
     case AttributeCarrier::WedgeColor:
         return visit(WedgeColor<Mesh>{mesh});
     case AttributeCarrier::FaceColor:
@@ -195,7 +198,7 @@ void WithAccess(Mesh& mesh, const MeshAttribute& attribute, const Visit& visit)
     case AttributeCarrier::VertexRadius:
         return visit(VertexRadius<Mesh>{mesh});
     case AttributeCarrier::FaceQuality:
-        return visit(Quality<std::remove_reference_t<decltype((mesh.face))>>{mesh.face});
+        return visit(Quality{mesh.face});
     }
 }
 
