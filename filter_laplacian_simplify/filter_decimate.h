@@ -86,14 +86,17 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
 }
 
 constexpr const char* kLayerSuffix = " simplified";
+constexpr const char* kStrictIgnoresAttributes =
+    "Order strict does not transfer attributes: the remaining vertices and faces keep theirs";
 
 /// Writes a result to the current mesh, or to a copy of it in a new layer.
 /// \param layerSuffix of the new layer's name; empty: to the current mesh
 template <class Host>
-void Commit(Host& host, vcg_ext::DecimatedMesh result, const std::string& layerSuffix, bool dropUnreferenced)
+void Commit(Host& host, vcg_ext::MeshSimplification result, const std::string& layerSuffix,
+            bool dropUnreferenced)
 {
     if (!layerSuffix.empty()) {
-        RenumberForCompactCopy(host.Mesh(), result);
+        RenumberForCompactCopy(host.Mesh(), result.mesh);
         host.ContinueOnCopy(layerSuffix);
     }
     vcg_ext::ApplyDecimation(host.Mesh(), result, dropUnreferenced);
@@ -110,7 +113,7 @@ struct DecimationWishes {
 
 /// What every decimation filter does besides its collapses: target, progress, result, report and log.
 /// \param simplify called with the number of faces to keep and the progress, returns a
-///        vcg_ext::Simplification; not called if the mesh has no more faces than that
+///        vcg_ext::MeshSimplification; not called if the mesh has no more faces than that
 template <class Host, class Simplify>
 Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWishes& wishes,
                            const Simplify& simplify)
@@ -119,6 +122,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     const MeshFacts facts = FactsOf(host.Mesh());
     const std::size_t target = TargetFaces(values, facts);
     vcg_ext::DecimationReport report;
+    vcg_ext::AttributeLayout layout;
     if (target >= facts.faces) {
         report = ReportUnchanged(host.Mesh(), wishes.measureError);
         if (wishes.errorBound) report.certifiedError = 0;
@@ -126,17 +130,19 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     } else {
         ThrottledProgress progress(
             [&](int percent, const char* stage) { return host.Progress(percent, stage); });
-        vcg_ext::Simplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
+        vcg_ext::MeshSimplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
         report = decimation.report;
+        layout = decimation.attributes;
+        if (decimation.attributesIgnored) host.Log(kStrictIgnoresAttributes);
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
-            Commit(host, std::move(decimation.mesh), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput);
+            Commit(host, std::move(decimation), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput);
     }
     report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
-    for (const std::string& line : LogLines(report, target, wishes.errorBound)) host.Log(line);
-    return ToReport(report);
+    for (const std::string& line : LogLines(report, target, wishes.errorBound, layout)) host.Log(line);
+    return ToReport(report, layout);
 }
 
 /// What the guided decimation is asked for, but for targets, progress and guidance.
@@ -157,6 +163,10 @@ vcg_ext::MeshDecimationParameters GuidedParameters(Host& host, const Values& val
     parameters.lockSelectedVertices = values.Boolean("lock_selected_vertices");
     if (parameters.lockSelectedVertices && !AnyVertexIsSelected(host.Mesh()))
         throw std::invalid_argument("lock_selected_vertices = true, but no vertex is selected");
+    parameters.keepAttributes = values.Boolean("keep_attributes");
+    parameters.keepQuality = !IsStoredQuality(values.Integer("descriptor")); // it guides as a descriptor
+    parameters.attributeWeight = values.Real("attribute_weight");
+    parameters.seams = values.Choice<vcg_ext::Seams>("seams");
     parameters.cleanInput = values.Boolean("clean_input");
     parameters.weldDistance = values.Real("weld_distance");
     parameters.measureError = values.Boolean("measure_error");

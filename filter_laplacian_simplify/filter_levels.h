@@ -81,15 +81,17 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
     parameters.progress = std::ref(progress);
     parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
     auto results = vcg_ext::DecimateLevels<Mesh>(host.Mesh(), parameters, named.levels);
+    if (results.front().attributesIgnored) host.Log(kStrictIgnoresAttributes);
     std::vector<vcg_ext::DecimationReport> reports;
     for (std::size_t i = 0; i < results.size(); ++i) {
         vcg_ext::DecimationReport report = results[i].report;
         if (report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();
         host.ReturnToOriginal();
-        Commit(host, std::move(results[i].mesh), " " + named.names[i], parameters.cleanInput);
+        const vcg_ext::AttributeLayout layout = results[i].attributes;
+        Commit(host, std::move(results[i]), " " + named.names[i], parameters.cleanInput);
         report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
         const vcg_ext::Level& level = named.levels[i];
-        for (const std::string& line : LogLines(report, level.targetFaces, level.maxError > 0))
+        for (const std::string& line : LogLines(report, level.targetFaces, level.maxError > 0, layout))
             host.Log(named.names[i] + ": " + line);
         reports.push_back(std::move(report));
     }

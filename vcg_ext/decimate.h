@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "vcg_ext/core/levels.h"
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/mesh_arrays.h"
+#include "vcg_ext/mesh_attributes.h"
 #include "vcg_ext/ordered/decimate.h"
 
 namespace vcg_ext
@@ -22,6 +26,14 @@ struct MeshDecimationParameters : DecimationParameters {
     bool selectedOnly = false;         ///< faces that are not selected keep their vertices and stay
     bool lockSelectedVertices = false; ///< selected vertices neither move nor disappear
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
+    bool keepAttributes = true;  ///< what the mesh carries guides and is transferred: MeshAttributes
+    bool keepQuality = true;     ///< the vertex quality, too
+};
+
+/// A simplification of a VCG mesh.
+struct MeshSimplification : Simplification {
+    AttributeLayout attributes;     ///< of the corner values
+    bool attributesIgnored = false; ///< the mesh has attributes that order strict does not know
 };
 
 /// Simplify, for both orders. An error bound is kept by the sweeps alone.
@@ -57,9 +69,11 @@ DecimateLevels(const MeshView& view, const DecimationParameters& parameters, con
                              [&](const DecimationParameters& own) { return Decimate(view, own); });
 }
 
-/// Runs on the arrays of a mesh, with all that the parameters say of it. \param run called as run(view)
+/// Runs on the arrays of a mesh, with all that the parameters say of it. \param run called as run(view),
+/// returns a Simplification of each of its results
 template <class Mesh, class Run>
-auto OnArraysOf(const Mesh& mesh, const MeshDecimationParameters& parameters, const Run& run)
+std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimationParameters& parameters,
+                                           const Run& run)
 {
     const MeshArrays<Mesh> arrays(mesh);
     MeshView view = arrays.View();
@@ -67,11 +81,28 @@ auto OnArraysOf(const Mesh& mesh, const MeshDecimationParameters& parameters, co
     if (parameters.selectedOnly) fixed = arrays.OutsideSelection(mesh);
     if (parameters.lockSelectedVertices) AddSelectedVertices(mesh, fixed);
     if (!fixed.empty()) view.fixedVertices = fixed.data();
-    const std::vector<std::uint32_t> keys =
-        parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
-    if (!keys.empty()) view.vertexKeys = keys.data();
     if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
-    return run(view);
+    std::optional<MeshAttributes<Mesh>> attributes;
+    if (parameters.keepAttributes)
+        attributes.emplace(mesh, arrays, view,
+                           AttributeReading{parameters.keepQuality, parameters.cleanInput,
+                                            WeldDistance(view, parameters), parameters.threads});
+    const CornerAttributes* const corners = attributes ? attributes->Corners() : nullptr;
+    const bool ignored = corners && parameters.order == Order::Strict;
+    if (!ignored) view.attributes = corners;
+    std::vector<std::uint32_t> keys;
+    if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
+    if (!keys.empty()) view.vertexKeys = keys.data();
+    std::vector<MeshSimplification> results;
+    for (Simplification& result : run(view)) {
+        const auto& cleaning = result.report.cleaning;
+        const bool doubled = cleaning && cleaning->weldedVertices > 0;
+        results.push_back({std::move(result), {}, ignored});
+        if (!view.attributes) continue;
+        results.back().attributes = attributes->Layout();
+        results.back().attributes.doubledVertices = doubled;
+    }
+    return results;
 }
 
 /// Simplifies a VCG mesh without changing it: the result is a value, applied by ApplyDecimation.
@@ -80,20 +111,33 @@ auto OnArraysOf(const Mesh& mesh, const MeshDecimationParameters& parameters, co
 ///        components, borders and non-manifold edges are welcome
 /// \throws as Simplify
 template <class Mesh>
-Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
+MeshSimplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
 {
     const DecimationParameters& ofArrays = parameters;
-    return OnArraysOf(mesh, parameters, [&](const MeshView& view) { return Decimate(view, ofArrays); });
+    auto results = OnArraysOf(mesh, parameters, [&](const MeshView& view) {
+        std::vector<Simplification> one;
+        one.push_back(Decimate(view, ofArrays));
+        return one;
+    });
+    return std::move(results.front());
 }
 
 /// Levels of detail of a VCG mesh, each applied by ApplyDecimation to a copy. \throws as Decimate
 template <class Mesh>
-std::vector<Simplification> DecimateLevels(const Mesh& mesh, const MeshDecimationParameters& parameters,
-                                           const std::vector<Level>& levels)
+std::vector<MeshSimplification> DecimateLevels(const Mesh& mesh, const MeshDecimationParameters& parameters,
+                                               const std::vector<Level>& levels)
 {
     const DecimationParameters& ofArrays = parameters;
     return OnArraysOf(mesh, parameters,
                       [&](const MeshView& view) { return DecimateLevels(view, ofArrays, levels); });
+}
+
+/// Puts the result of a mesh into it, as ApplyDecimation of vcg_ext/apply_decimation.h.
+/// \pre mesh has not changed since Decimate
+template <class Mesh>
+void ApplyDecimation(Mesh& mesh, const MeshSimplification& result, bool dropUnreferenced = false)
+{
+    ApplyDecimation(mesh, result.mesh, dropUnreferenced, result.attributes);
 }
 
 /// The simplification of Zhang et al. (2012): their collapse alone in the pipeline of Simplify, without

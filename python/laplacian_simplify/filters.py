@@ -26,6 +26,7 @@ M = TypeVar("M")
 Effort = Literal["fast", "balanced", "best"]
 Boundary = Literal["free", "preserve", "lock"]
 Order = Literal["sweeps", "strict"]
+Seams = Literal["keep", "ignore"]
 Computed = Literal["laplacian", "normalised_umbrella", "mean_curvature", "gaussian_curvature", "curvature_estimation"]
 Guidance = Computed | Literal["vertex_quality"]
 WeightedGuidance = Guidance | Literal["curvature_weighted_quadric"]
@@ -42,6 +43,9 @@ class FileOptions(TypedDict, total=False):
     descriptor: Guidance | int | None
     boundary: Boundary | int | None
     preserve_topology: bool | None
+    keep_attributes: bool | None
+    attribute_weight: float | None
+    seams: Seams | int | None
     avoid_self_intersections: bool | None
     clean_input: bool | None
     weld_distance: float | None
@@ -86,6 +90,9 @@ def simplify(
     preserve_topology: bool | None = None,
     selected_only: bool | None = None,
     lock_selected_vertices: bool | None = None,
+    keep_attributes: bool | None = None,
+    attribute_weight: float | None = None,
+    seams: Seams | int | None = None,
     avoid_self_intersections: bool | None = None,
     clean_input: bool | None = None,
     weld_distance: float | None = None,
@@ -122,6 +129,10 @@ def simplify(
         preserve_topology: keep every handle, hole and component.
         selected_only: only the selected faces are decimated; default where faces are selected.
         lock_selected_vertices: selected vertices neither move nor disappear; for mesh sets, arrays have locked.
+        keep_attributes: texture coordinates, materials, colors, quality and custom attributes guide, and are fitted
+            to the result; their seams stay (default). As the next two for mesh sets and files.
+        attribute_weight: of attributes against the shape, 0 to 100; 1 by default; 0: they guide nothing.
+        seams: keep them (default), or ignore them where the target asks for it.
         avoid_self_intersections: no more faces cross each other than before (default); the report says so if that could
             not be kept.
         clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces and vertices
@@ -161,6 +172,9 @@ def simplify(
         "preserve_topology": preserve_topology,
         "selected_only": selected_only,
         "lock_selected_vertices": lock_selected_vertices,
+        "keep_attributes": keep_attributes,
+        "attribute_weight": attribute_weight,
+        "seams": seams,
         "avoid_self_intersections": avoid_self_intersections,
         "clean_input": clean_input,
         "weld_distance": weld_distance,

@@ -14,7 +14,13 @@ from .summary import summary_lines
 if TYPE_CHECKING:
     import pymeshlab
 
-STOP_REASONS = ("target reached", "error bound reached", "no further collapse possible without damage", "canceled")
+STOP_REASONS = (
+    "target reached",
+    "error bound reached",
+    "no further collapse possible without damage",
+    "canceled",
+    "seams hold the last faces of their charts",
+)
 """What the numbers of ``stop_reason`` mean."""
 
 
@@ -25,6 +31,7 @@ class StopReason(IntEnum):
     ERROR_BOUND = 1
     NO_LEGAL_COLLAPSE = 2
     CANCELLED = 3
+    SEAMS = 4
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,6 +138,12 @@ class DecimationReport(Report):
     dropped_faces: int | None = None
     """Degenerate and duplicate faces that were left out."""
     certified_error: float | None = None
+    attribute_rms: tuple[float, ...] | None = None
+    """Of every attribute that was kept, in its own unit (colors 0 to 255); None without attributes, as the next."""
+    texture_deviation: float | None = None
+    largest_texture_deviation: float | None = None
+    turned_texture_faces: int | None = None
+    faces_held_by_seams: int | None = None
 
     def __post_init__(self) -> None:
         self.__dict__["stop_reason"] = StopReason(self.stop_reason)

@@ -150,6 +150,9 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                              "preserve_topology",
                              "selected_only",
                              "lock_selected_vertices",
+                             "keep_attributes",
+                             "attribute_weight",
+                             "seams",
                              "avoid_self_intersections",
                              "clean_input",
                              "weld_distance"};
@@ -202,6 +205,11 @@ void TestTables::returnedKeysAreThoseOfTheContract_data()
                                            "welded_vertices",
                                            "dropped_faces",
                                            "certified_error",
+                                           "attribute_rms",
+                                           "texture_deviation",
+                                           "largest_texture_deviation",
+                                           "turned_texture_faces",
+                                           "faces_held_by_seams",
                                            "seconds"};
 }
 
@@ -243,6 +251,9 @@ void TestTables::defaultsAreThoseOfTheContract()
     QCOMPARE(text(guided, "order"), "0 `sweeps`");
     QCOMPARE(text(FilterId::LevelsOfDetail, "percents"), "50,25,10");
     QCOMPARE(text(FilterId::LevelsOfDetail, "max_errors"), "");
+    QCOMPARE(text(guided, "keep_attributes"), "true");
+    QCOMPARE(text(guided, "attribute_weight"), "1");
+    QCOMPARE(text(guided, "seams"), "0 `keep`");
     QCOMPARE(text(guided, "measure_error"), "true");
     QCOMPARE(Find(guided, "target_faces").Default({100, 0}), 50.0);
     QCOMPARE(Find(guided, "target_faces").Default({100, 30}), 15.0);

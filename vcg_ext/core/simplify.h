@@ -100,6 +100,13 @@ struct SweepCollapse {
     }
 };
 
+/// DecimationParameters::weldDistance in the mesh's unit of length.
+inline double WeldDistance(const MeshView& view, const DecimationParameters& parameters)
+{
+    if (!(parameters.weldDistance > 0)) return 0;
+    return parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit;
+}
+
 /// Turns the result of a cleaned input into one of \p view: faces and counts are the input's.
 inline void NameAsInput(const MeshView& view, const CleanedInput& clean, Simplification& result)
 {
@@ -122,9 +129,7 @@ template <class Run>
 auto OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
 {
     if (!parameters.cleanInput) return run(view);
-    const double distance =
-        parameters.weldDistance > 0 ? parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit : 0;
-    const CleanedInput clean(view, distance, parameters.threads);
+    const CleanedInput clean(view, WeldDistance(view, parameters), parameters.threads);
     if (clean.View().faceCount == 0)
         throw std::invalid_argument("weld_distance = " + std::to_string(parameters.weldDistance) +
                                     " leaves no face: every one has two corners that are welded");
