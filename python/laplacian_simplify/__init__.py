@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .files.errors import MeshFileError
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
-    from .filters import classify, descriptor, simplify, smooth, weighted
+    from .filters import classify, descriptor, smooth, weighted
     from .plugin import PYMESHLAB_VERSION, load, plugin_path
     from .report import (
         STOP_REASONS,
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         SmoothingReport,
         StopReason,
     )
+    from .simplification import simplify
 
     __version__: str
 
@@ -44,7 +45,7 @@ _MODULES = {
     "files.errors": ("MeshFileError",),
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
-    "filters": ("classify", "descriptor", "simplify", "smooth", "weighted"),
+    "filters": ("classify", "descriptor", "smooth", "weighted"),
     "plugin": ("PYMESHLAB_VERSION", "load", "plugin_path"),
     "report": (
         "STOP_REASONS",
@@ -55,6 +56,7 @@ _MODULES = {
         "SmoothingReport",
         "StopReason",
     ),
+    "simplification": ("simplify",),
 }
 
 __all__ = [
