@@ -156,7 +156,7 @@ def _channels(mesh: MeshArrays, attributes: Attributes, keep: bool) -> Channels:
 def _with_attributes(mesh: MeshArrays, channels: Channels) -> MeshArrays:
     """The mesh with what guides the collapse."""
     indices = mesh.faces if mesh.faces.dtype.kind == "i" else mesh.faces.astype(np.int64)
-    if len(indices) and not (0 <= indices.min() and indices.max() < len(mesh.vertices)):
+    if len(indices) and not (indices.min() >= 0 and indices.max() < len(mesh.vertices)):
         return mesh  # which the run refuses
     values = channels.at_corners(indices)
     kinds = None if values is None else np.array(channels.kinds, np.int32)
@@ -221,7 +221,7 @@ def _simplified(vertices: Array, faces: Array, outcome: Outcome, channels: Chann
     report = DecimationReport.of({**outcome.report, **_attribute_report(outcome, channels)})
     if report.stop_reason is StopReason.CANCELLED:
         origins = np.arange(len(vertices)), np.arange(len(faces))
-        return Simplified(np.array(vertices), np.array(faces), report, *origins, *channels.results(None, *origins))
+        return Simplified(np.array(vertices), np.array(faces), report, *origins, **channels.results(None, *origins))
     values, small, origin = outcome.corner_values, outcome.faces, outcome.vertex_origin
     positions = outcome.vertices
     if values is not None:
@@ -234,7 +234,7 @@ def _simplified(vertices: Array, faces: Array, outcome: Outcome, channels: Chann
         report,
         origin,
         outcome.face_origin,
-        *channels.results(values, origin, outcome.face_origin, small),
+        **channels.results(values, origin, outcome.face_origin, small),
     )
 
 
@@ -243,7 +243,11 @@ def _attribute_report(outcome: Outcome, channels: Channels) -> dict[str, Any]:
     found = outcome.attributes
     if found is None:
         return {}
-    numbers: dict[str, Any] = {"charts": found.charts, "turned_faces": found.turned_faces, "held_faces": found.held_faces}
+    numbers: dict[str, Any] = {
+        "charts": found.charts,
+        "turned_faces": found.turned_faces,
+        "held_faces": found.held_faces,
+    }
     if found.rms:
         numbers["attribute_rms"] = channels.rms(found.rms)
     if found.textures:

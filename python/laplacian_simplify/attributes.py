@@ -185,8 +185,8 @@ class Channels:
 
     def results(
         self, channels: Array | None, vertex_origin: Array, face_origin: Array, faces: Array | None = None
-    ) -> tuple[dict[str, Array], dict[str, Array], Array | None]:
-        """What the arrays at vertices and at corners and the labels have become.
+    ) -> dict[str, Any]:
+        """What the arrays at vertices and at corners and the labels have become, under the names of Simplified.
 
         Args:
             channels: (m, 3, k) of the result; None where all have kept their values.
@@ -197,7 +197,9 @@ class Channels:
         given = self.attributes
         vertex = {name: values[vertex_origin] for name, values in given.vertex.items()}
         corner = {name: values[face_origin] for name, values in given.corner.items()}
-        for column in self._columns if channels is not None and faces is not None else ():
+        for column in self._columns:
+            if channels is None or faces is None:
+                break
             part = channels[:, :, column.first : column.first + column.count]
             if column.at_corners:
                 corner[column.name] = column.restored(part, corner[column.name])
@@ -205,7 +207,8 @@ class Channels:
             numbers = column.numbers(vertex[column.name])  # vertices without faces keep theirs
             numbers[faces.ravel()] = part.reshape(-1, column.count)
             vertex[column.name] = column.restored(numbers, vertex[column.name])
-        return vertex, corner, None if given.labels is None else given.labels[face_origin]
+        labels = None if given.labels is None else given.labels[face_origin]
+        return {"vertex_attributes": vertex, "corner_attributes": corner, "face_labels": labels}
 
     def unused(self) -> "Channels":
         """The same arrays, whose values are those of what remains."""

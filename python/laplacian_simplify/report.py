@@ -140,8 +140,8 @@ class DecimationReport(Report):
     """Degenerate and duplicate faces that were left out."""
     certified_error: float | None = None
     attribute_rms: dict[str, float] | None = None
-    """Of each attribute by its name, in its own unit, colors in 0 to 255: the root mean square difference between points
-    of either surface and the closest of the other; None where there were none, or they were not measured."""
+    """Of each attribute by its name, in its own unit, colors in 0 to 255: the root mean square difference between
+    points of either surface and the closest of the other; None where there were none, or they were not measured."""
     texture_deviation: float | None = None
     """How far points are from where the original has their texture coordinates, root mean square."""
     largest_texture_deviation: float | None = None

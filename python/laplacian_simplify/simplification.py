@@ -132,9 +132,9 @@ def simplify(
         effort: geometry against time: fast, balanced (default) or best.
         descriptor: what tells features from the rest; curvatures for mesh sets and files only.
         boundary: open borders are free, preserved (default) or locked.
-        keep_attributes: colors, texture coordinates and numbers guide the collapse and are interpolated, and their seams
-            stay (default); otherwise values are those of the vertices and faces that remain. Of vertices at one place,
-            as textures make them along seams, clean_input makes one, which is split again at the end.
+        keep_attributes: colors, texture coordinates and numbers guide the collapse and are interpolated, and their
+            seams stay (default); otherwise values are those of the vertices and faces that remain. Of vertices at one
+            place, as textures make them along seams, clean_input makes one, which is split again at the end.
         attribute_weight: of attributes against the geometry, 0 to 100; 1 by default. 0: they guide nothing.
         seams: keep (default), or ignore: where the target asks for it parts of the texture may go.
         preserve_topology: keep every handle, hole and component.
@@ -155,18 +155,19 @@ def simplify(
             meshes of other libraries have their own.
         corner_attributes: the same at the corners of the faces, (m, 3) or (m, 3, k).
         face_labels: materials or parts, integers, (m,): seams run between different ones.
-        attribute_kinds: what a named array holds where type, shape and name do not tell it: "texture", "color" (floats in
-            0..1, uint8 or uint16), "scalar" (any number, interpolated) or "origin" (the value of what remains).
-            By default bytes in three or four columns and floats called color are colors, two columns of floats called
-            uv or texcoord texture coordinates, other floats scalars, and whole numbers are not interpolated.
+        attribute_kinds: what a named array holds, where type, shape and name do not tell it: "texture", "color" (floats
+            in 0..1, uint8 or uint16), "scalar" (any number, interpolated) or "origin" (the value of what remains). By
+            default bytes in three or four columns and floats called color are colors, two columns of floats called uv
+            or texcoord texture coordinates, other floats scalars, and whole numbers are not interpolated.
         progress: called with percent and stage, in this thread; returning False stops the run, which then gives
             the mesh as it came. True shows a bar.
         return_result: for a mesh of another library: return it with the result that it was built from.
 
     Returns:
         For arrays a Simplified, which unpacks as vertices, faces and has report, vertex_origin, face_origin,
-        vertex_attributes, corner_attributes and face_labels. For a mesh of another library a mesh of that type, or it and a Simplified. For a mesh set or a file the report.
-        A target that could not be reached is no error: the report says why.
+        vertex_attributes, corner_attributes and face_labels. For a mesh of another library a mesh of that type, or it
+        and a Simplified. For a mesh set or a file the report. A target that could not be reached is no error: the
+        report says why.
 
     Raises:
         TypeError: something is of a type that cannot be used; the text says what can.

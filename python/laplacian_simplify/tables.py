@@ -120,7 +120,15 @@ _OF_ARRAYS = (
     Parameter("keep_attributes", "boolean", True, "true", "true or false", "", "", ""),
     Parameter("attribute_weight", "real", 1, "1", "[0, 100]", "", "", "", 0, 100),
     Parameter(
-        "seams", "choice", 0, "keep", "keep (0), ignore (1)", "", "", "", options=(Option("keep", ""), Option("ignore", ""))
+        "seams",
+        "choice",
+        0,
+        "keep",
+        "keep (0), ignore (1)",
+        "",
+        "",
+        "",
+        options=(Option("keep", ""), Option("ignore", "")),
     ),
 )
 

@@ -18,7 +18,8 @@ from conftest import SAMPLE_NAMES, positions_and_faces
 
 import laplacian_simplify as ls
 from laplacian_simplify.arrays import _MESH_SETS_ONLY
-from laplacian_simplify.library import MeshArrays, Outcome, _Parameters, run
+from laplacian_simplify.library import MeshArrays, Outcome, run
+from laplacian_simplify.library_structures import ParametersStructure
 from laplacian_simplify.tables import filter_named
 
 ROW = filter_named("meshing_decimation_laplacian_quadric_edge_collapse")
@@ -274,7 +275,7 @@ def test_refused_by_name(arguments, error: type[Exception], said: str) -> None:
 
 def test_every_parameter_of_the_filter_is_known_here() -> None:
     """A new one has to be handed on, or refused where it is given."""
-    handed_on = {name for name, *_ in _Parameters._fields_} | {"target_percent", "selected_only"}
+    handed_on = {name for name, *_ in ParametersStructure._fields_} | {"target_percent", "selected_only", "keep_attributes"}
     assert {parameter.id for parameter in ROW.parameters} <= handed_on | set(_MESH_SETS_ONLY)
 
 

@@ -46,8 +46,9 @@ def face_colors(colors: Array, result: Simplified) -> Array:
     spread = result.vertex_attributes.get(NAME)
     if spread is None:
         return colors[result.face_origin]
-    mean = spread.astype(np.float64)[result.faces.astype(np.intp)].mean(axis=1) * _whole(colors)
-    return (np.rint(mean) if colors.dtype.kind != "f" else mean).astype(colors.dtype)
+    mean: Array = spread.astype(np.float64)[result.faces.astype(np.intp)].mean(axis=1) * _whole(colors)
+    rounded: Array = np.rint(mean) if colors.dtype.kind != "f" else mean
+    return rounded.astype(colors.dtype)
 
 
 def _whole(colors: Array) -> float:

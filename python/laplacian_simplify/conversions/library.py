@@ -96,7 +96,7 @@ def normals_like(data: Any, result: Simplified, *, at_faces: bool = False) -> di
     if not names:
         return {}
     corners = result.vertices[result.faces].astype(np.float64)
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals: Array = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     if not at_faces:
         _, place = np.unique(result.vertex_origin, return_inverse=True)
         at = place.reshape(-1)[result.faces.astype(np.intp)].ravel()
