@@ -275,7 +275,11 @@ def test_refused_by_name(arguments, error: type[Exception], said: str) -> None:
 
 def test_every_parameter_of_the_filter_is_known_here() -> None:
     """A new one has to be handed on, or refused where it is given."""
-    handed_on = {name for name, *_ in ParametersStructure._fields_} | {"target_percent", "selected_only", "keep_attributes"}
+    handed_on = {name for name, *_ in ParametersStructure._fields_} | {
+        "target_percent",
+        "selected_only",
+        "keep_attributes",
+    }
     assert {parameter.id for parameter in ROW.parameters} <= handed_on | set(_MESH_SETS_ONLY)
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes of other libraries come back as such, with the arrays of the plain call and what was stored with them: here that
-of vertices and faces that remain, as keep_attributes = False has it."""
+"""Meshes of other libraries come back as such, with the arrays of the plain call and what was stored with them: here
+that of vertices and faces that remain, as keep_attributes = False has it."""
 
 from collections.abc import Callable
 from typing import Any

@@ -5,6 +5,7 @@
 import dataclasses
 import inspect
 import typing
+from collections.abc import Mapping
 from os import PathLike
 
 import numpy as np
@@ -72,7 +73,14 @@ def test_every_parameter_is_documented(row) -> None:
 
 @pytest.mark.parametrize(("row", "parameter"), ROWS)
 def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
-    names = {"pymeshlab": pymeshlab, "PathLike": PathLike, "np": np, "NDArray": NDArray, "Any": typing.Any}
+    names = {
+        "Mapping": Mapping,
+        "pymeshlab": pymeshlab,
+        "PathLike": PathLike,
+        "np": np,
+        "NDArray": NDArray,
+        "Any": typing.Any,
+    }
     hints = typing.get_type_hints(FUNCTIONS[row.python_name], names)
     hint = str(hints[parameter.id])
     expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int"}[parameter.type]
