@@ -5,7 +5,6 @@
 import subprocess
 import sys
 import sysconfig
-import tomllib
 import zipfile
 from importlib.metadata import requires
 from pathlib import Path
@@ -38,8 +37,7 @@ def test_every_other_pymeshlab_is_refused(version: str) -> None:
 
 
 def test_the_package_requires_the_version_that_it_checks() -> None:
-    project = tomllib.loads((PROJECT / "pyproject.toml").read_text())["project"]
-    assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in project["dependencies"]
+    assert f'"pymeshlab=={ls.PYMESHLAB_VERSION}"' in (PROJECT / "pyproject.toml").read_text()
     assert f"pymeshlab=={ls.PYMESHLAB_VERSION}" in (requires("laplacian-simplify") or [])
 
 
