@@ -166,7 +166,7 @@ class PipelineRun
     void TransferAttributes(DecimatedMesh& mesh) const
     {
         if (!mesh.wedges) return;
-        if (Tree() && !mesh.triangles.empty())
+        if (Tree() && !mesh.triangles.empty() && mesh.wedges->channels.size() > 0)
             AttributeTransfer(view_, *Tree(), mesh, threads_).Run(faceOrder_);
         WriteCornerValues(mesh);
     }
@@ -178,7 +178,8 @@ class PipelineRun
             const std::vector<double> values = LaplacianDescriptor(view_, threads_);
             descriptor_.assign(values.begin(), values.end());
         }
-        if (mesh.wedges) AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
+        if (mesh.wedges && mesh.wedges->channels.size() > 0)
+            AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
         report.distances = MeasureDistances(view_, *Tree(), mesh, descriptor_, kDistanceSamples, threads_);
     }
 

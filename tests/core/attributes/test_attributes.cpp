@@ -505,6 +505,25 @@ class TestAttributes : public QObject
         QVERIFY(refusal(1).find("channel 1 is a texture coordinate without a second one") == 0);
     }
 
+    /// Labels by themselves make seams: their border on a plane stays straight, whatever it costs.
+    void labelsAloneMakeSeams()
+    {
+        Painted painted(
+            test_meshes::Grid(20, 20, 0.05), {}, [](const Point& p) { return p[0] > 0.5 ? 1 : 0; },
+            [](const Point&, std::int32_t) { return std::vector<double>{}; });
+        auto parameters = Target(20);
+        parameters.measureError = true;
+        const Simplification result = Simplify(painted.View(), parameters);
+        QVERIFY(result.mesh.triangles.size() <= 20);
+        QCOMPARE(result.report.attributes->charts, std::size_t{2});
+        QVERIFY(result.mesh.cornerValues.empty() && result.report.attributes->rms.empty());
+        for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f)
+            for (const std::uint32_t v : result.mesh.triangles[f]) {
+                const double side = painted.labels[result.mesh.faceOrigin[f]] == 1 ? 1 : -1;
+                QVERIFY(side * (result.mesh.positions[v][0] - 0.5) > -1e-4); // single precision in the frame
+            }
+    }
+
     /// Nothing is carried where there is nothing.
     void withoutAttributesThereAreNone()
     {

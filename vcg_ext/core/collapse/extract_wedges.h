@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -39,8 +38,7 @@ inline SurfaceWedges ExtractWedges(const SweepState& state, const WedgeSet& set)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t id = set.ofCorner[3 * f + k];
             if (place[id] == kNone) {
-                place[id] =
-                    static_cast<std::uint32_t>(wedges.values.size() / std::max<std::size_t>(1, channels));
+                place[id] = static_cast<std::uint32_t>(wedges.count++);
                 const float* record = set.Values(id);
                 wedges.values.insert(wedges.values.end(), record, record + channels);
                 if (quadrics) {

@@ -17,7 +17,8 @@ namespace vcg_ext
 /// with one tuple of everything that its corners carry; faces that are joined over edges without a difference
 /// in wedges are a chart.
 struct SurfaceWedges {
-    Channels channels;
+    Channels channels;      ///< none where there are labels alone
+    std::size_t count = 0; ///< of wedges
     bool keepSeams = true;
     std::vector<float> values;                        ///< of every wedge, as the collapse left them
     std::vector<std::array<std::uint32_t, 3>> ofFace; ///< the wedges of every face's corners
@@ -29,7 +30,7 @@ struct SurfaceWedges {
     std::vector<float> quadrics;
     std::vector<Vector3<float>> centers;
 
-    std::size_t Count() const { return values.size() / channels.size(); }
+    std::size_t Count() const { return count; }
     const float* Values(std::uint32_t wedge) const { return values.data() + wedge * channels.size(); }
     double TextureArea(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t first) const
     {
