@@ -25,12 +25,8 @@ def why_missed(report: Mapping[str, Any], spelled: Spelling = as_keyword) -> str
     """
     reason = str(report["stop_reason_text"])
     if report["stop_reason"] == _SEAMS:
-        held = (
-            f"{report['held_faces']:,} faces too many, of {report['charts']:,} charts; "
-            if "held_faces" in report
-            else ""
-        )
-        return f"{reason} ({held}a texture of fewer charts helps, or {spelled('seams', 'ignore')})"
+        held = f"{report['faces_held_by_seams']:,} faces too many; " if "faces_held_by_seams" in report else ""
+        return f"{reason} ({held}a texture of fewer parts helps, or {spelled('seams', 'ignore')})"
     if report["stop_reason"] != _NO_LEGAL_COLLAPSE or "boundary_edges" not in report:
         return reason
     faces, open_edges = report["faces"], report["boundary_edges"]

@@ -243,13 +243,11 @@ def _attribute_report(outcome: Outcome, channels: Channels) -> dict[str, Any]:
     found = outcome.attributes
     if found is None:
         return {}
-    numbers: dict[str, Any] = {
-        "charts": found.charts,
-        "turned_faces": found.turned_faces,
-        "held_faces": found.held_faces,
-    }
+    numbers: dict[str, Any] = {"faces_held_by_seams": found.held_faces}
     if found.rms:
         numbers["attribute_rms"] = channels.rms(found.rms)
+    if channels.has_texture:
+        numbers["turned_texture_faces"] = found.turned_faces
     if found.textures:
         numbers["texture_deviation"] = max(rms for rms, _ in found.textures)
         numbers["largest_texture_deviation"] = max(largest for _, largest in found.textures)

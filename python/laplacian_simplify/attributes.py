@@ -89,7 +89,8 @@ class _Column:
         if dtype.kind != "f":
             numbers = np.clip(np.rint(numbers), np.iinfo(dtype).min, np.iinfo(dtype).max)
         changed = (channels != self.numbers(stayed)).reshape(stayed.shape)
-        return np.where(changed, numbers.reshape(stayed.shape).astype(dtype), stayed)
+        restored: Array = np.where(changed, numbers.reshape(stayed.shape).astype(dtype), stayed)
+        return restored.astype(dtype, copy=False)  # of the byte order that the input has
 
 
 class Channels:
@@ -117,6 +118,11 @@ class Channels:
     def are_there(self) -> bool:
         """Whether there is anything that can guide."""
         return bool(self._columns) or self.labels is not None
+
+    @property
+    def has_texture(self) -> bool:
+        """Whether there are texture coordinates."""
+        return _NUMBERS["texture"] in self.kinds
 
     def _add(self, shown: str, name: str, values: Any, at_corners: bool) -> None:
         vertices, faces = self._counts
@@ -219,12 +225,13 @@ class Channels:
         return unused
 
     def rms(self, of_channels: list[float]) -> dict[str, float]:
-        """The root mean square difference of each array, in its own unit, colors in 0 to 255."""
+        """The root mean square difference of each array, in its own unit: the length of a vector, and
+        of colors the mean over their parts, in 0 to 255."""
         found = {}
         for column in self._columns:
-            part = np.array(of_channels[column.first : column.first + column.count])
-            unit = 255.0 if column.kind == "color" else column.scale
-            found[column.name] = float(unit * np.sqrt(np.mean(part**2)))
+            squares = np.array(of_channels[column.first : column.first + column.count]) ** 2
+            is_color = column.kind == "color"
+            found[column.name] = float(255 * np.sqrt(squares.mean()) if is_color else np.sqrt(squares.sum()))
         return found
 
 

@@ -139,17 +139,16 @@ class DecimationReport(Report):
     dropped_faces: int | None = None
     """Degenerate and duplicate faces that were left out."""
     certified_error: float | None = None
-    attribute_rms: dict[str, float] | None = None
+    attribute_rms: dict[str, float] | tuple[float, ...] | None = None
     """Of each attribute by its name, in its own unit, colors in 0 to 255: the root mean square difference between
-    points of either surface and the closest of the other; None where there were none, or they were not measured."""
+    points of either surface and the closest of the other; None where there were none, or they were not measured. Of
+    mesh sets and files the same without names, in the order of the plugin's log."""
     texture_deviation: float | None = None
     """How far points are from where the original has their texture coordinates, root mean square."""
     largest_texture_deviation: float | None = None
-    charts: int | None = None
-    """Parts of the original's surface that seams separate."""
-    turned_faces: int | None = None
+    turned_texture_faces: int | None = None
     """Faces whose texture has turned over against what most of their chart has."""
-    held_faces: int | None = None
+    faces_held_by_seams: int | None = None
     """Faces that seams keep beyond the target."""
 
     def __post_init__(self) -> None:

@@ -74,8 +74,8 @@ def _attributes(report: Mapping[str, Any]) -> str:
             f"texture off by rms {report['texture_deviation']:.3g} %, "
             f"largest {report['largest_texture_deviation']:.3g} % of the bounding box's diagonal"
         )
-    if report.get("turned_faces"):
-        parts.append(_count(report["turned_faces"], "face") + " with turned texture")
+    if report.get("turned_texture_faces"):
+        parts.append(_count(report["turned_texture_faces"], "face") + " with turned texture")
     return ", ".join(parts)
 
 

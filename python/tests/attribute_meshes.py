@@ -35,8 +35,9 @@ def textured_box(side: int = 21) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         flat = out + s[:, None] * u + t[:, None] * v
         vertices.append(flat / (1 + 0.3 * np.linalg.norm(flat, axis=1, keepdims=True)))
         faces.append(wave(side)[1] + k * side * side)
-        texture.append((cells + [k % CELLS, k // CELLS]) / [CELLS, 2])
-    return np.concatenate(vertices), np.concatenate(faces), np.concatenate(texture)
+        texture.append(np.add(cells, [k % CELLS, k // CELLS]) / [CELLS, 2])
+    places = np.round(np.concatenate(vertices), 9)  # on both sides of an edge the same
+    return places, np.concatenate(faces), np.concatenate(texture)
 
 
 def cells_of(corners: np.ndarray) -> np.ndarray:
