@@ -9,6 +9,7 @@ Spelling: TypeAlias = Callable[..., str]
 """How a parameter, or a parameter with its value, is written where the answer is read."""
 
 _NO_LEGAL_COLLAPSE, _SEAMS = 2, 4
+_FEW = 4
 
 
 def as_keyword(name: str, value: object = None) -> str:
@@ -31,7 +32,7 @@ def why_missed(report: Mapping[str, Any], spelled: Spelling = as_keyword) -> str
         return reason
     faces, open_edges = report["faces"], report["boundary_edges"]
     edges = (3 * faces + open_edges) // 2
-    if 2 * open_edges >= edges:
+    if open_edges >= 2 * faces > _FEW:  # as of triangles and quads that share no vertices
         apart = "the faces share no vertices" if open_edges == 3 * faces else "most faces are not connected"
         remedy = spelled("weld_distance", 0.01) if "welded_vertices" in report else spelled("clean_input", True)
         return f"{open_edges:,} of {edges:,} edges are open: {apart}; weld first ({remedy})"
