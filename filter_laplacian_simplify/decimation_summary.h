@@ -2,19 +2,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "number_text.h"
 #include "results.h"
+#include "vcg_ext/core/attributes/attribute_report.h"
 #include "vcg_ext/core/measure/report.h"
+#include "vcg_ext/mesh_attribute.h"
 
 namespace laplacian_simplify
 {
 
+/// Of every attribute the rms difference in its own unit; of colors, 0 to 255, the mean over their parts.
+/// Empty where it was not measured.
+inline std::vector<double> AttributeErrors(const vcg_ext::AttributeReport& report,
+                                           const vcg_ext::AttributeLayout& layout)
+{
+    std::vector<double> errors;
+    if (report.rms.empty()) return errors;
+    for (const vcg_ext::MeshAttribute& attribute : layout.attributes) {
+        const bool color = attribute.Row().kind == vcg_ext::ChannelKind::Color;
+        double sum = 0;
+        int parts = 0;
+        for (const vcg_ext::AttributeComponent& component : attribute.components) {
+            if (!component.HasChannel()) continue;
+            const double error = report.rms[component.channel] * component.scale * (color ? 255 : 1);
+            sum += error * error;
+            ++parts;
+        }
+        errors.push_back(std::sqrt(color ? sum / parts : sum));
+    }
+    return errors;
+}
+
+/// The results of a decimation about its attributes.
+inline void AddAttributes(const vcg_ext::AttributeReport& attributes, const vcg_ext::AttributeLayout& layout,
+                          Report& report)
+{
+    const std::vector<double> errors = AttributeErrors(attributes, layout);
+    if (!errors.empty()) report.Set("attribute_rms", errors);
+    if (!attributes.textures.empty()) {
+        report.Set("texture_deviation", attributes.textures.front().rms);
+        report.Set("largest_texture_deviation", attributes.textures.front().largest);
+    }
+    if (vcg_ext::HasTexture(layout)) report.SetCount("turned_texture_faces", attributes.turnedFaces);
+    report.SetCount("faces_held_by_seams", attributes.heldFaces);
+}
+
 /// The numbers of a decimation under the ids of the table of results.
-inline Report ToReport(const vcg_ext::DecimationReport& decimation)
+/// \param layout of its attributes
+inline Report ToReport(const vcg_ext::DecimationReport& decimation,
+                       const vcg_ext::AttributeLayout& layout = {})
 {
     Report report;
     report.SetCount("faces_before", decimation.facesBefore);
@@ -40,6 +82,7 @@ inline Report ToReport(const vcg_ext::DecimationReport& decimation)
         report.SetCount("dropped_faces", decimation.cleaning->DroppedFaces());
     }
     if (decimation.certifiedError) report.Set("certified_error", *decimation.certifiedError);
+    if (decimation.attributes) AddAttributes(*decimation.attributes, layout, report);
     report.Set("seconds", decimation.seconds);
     return report;
 }
@@ -61,7 +104,9 @@ inline std::string StopDescription(const vcg_ext::DecimationReport& decimation, 
         return missed + "no further collapse is possible without damage "
                         "(flipped faces, non-manifold edges, changes to locked parts)";
     case vcg_ext::StopReason::Seams:
-        return missed + "seams hold the last faces of their charts";
+        return missed +
+               "seams hold the last faces of their charts; set \"Seams\" to ignore, or make a texture of "
+               "fewer parts";
     case vcg_ext::StopReason::Cancelled:
         return "canceled; the mesh is unchanged";
     }
@@ -78,11 +123,36 @@ inline std::string CrossingsText(const vcg_ext::DecimationReport& decimation)
     return text;
 }
 
+/// What became of the attributes, one line each for all of them and for the texture.
+inline std::vector<std::string> AttributeLines(const vcg_ext::AttributeReport& report,
+                                               const vcg_ext::AttributeLayout& layout)
+{
+    std::vector<std::string> lines;
+    const std::vector<double> errors = AttributeErrors(report, layout);
+    std::string named;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const vcg_ext::MeshAttribute& attribute = layout.attributes[i];
+        const bool color = attribute.Row().kind == vcg_ext::ChannelKind::Color;
+        constexpr std::size_t kLongestName = 40; // custom ones have any
+        named += (i > 0 ? ", " : "") + attribute.name.substr(0, kLongestName) + " " +
+                 RoundedText(errors[i], 3) + (color ? " of 255" : "");
+    }
+    constexpr std::size_t kLongestLine = 360;
+    if (named.size() > kLongestLine) named = named.substr(0, kLongestLine) + "...";
+    if (!named.empty()) lines.push_back("Attributes, rms difference: " + named);
+    if (!report.textures.empty())
+        lines.push_back("Texture deviation in percent of the bounding box diagonal: rms " +
+                        RoundedText(report.textures.front().rms, 4) + ", largest " +
+                        RoundedText(report.textures.front().largest, 4) +
+                        "; faces whose texture is turned over: " + CountText(report.turnedFaces));
+    return lines;
+}
+
 /// The numbers of a decimation as a few short lines for the log. They are plain ASCII, because hosts print
 /// them in the encoding of the locale.
-/// \param errorBound one was asked for
+/// \param errorBound one was asked for \param layout of the attributes
 inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decimation, std::size_t target,
-                                         bool errorBound = false)
+                                         bool errorBound = false, const vcg_ext::AttributeLayout& layout = {})
 {
     if (decimation.stopReason == vcg_ext::StopReason::Cancelled) return {StopDescription(decimation, target)};
     const double percent =
@@ -109,6 +179,9 @@ inline std::vector<std::string> LogLines(const vcg_ext::DecimationReport& decima
     lines.push_back("Non-manifold edges: " + CountText(decimation.edges.nonManifold) +
                     ", boundary edges: " + CountText(decimation.edges.boundary));
     if (decimation.selfIntersections) lines.push_back(CrossingsText(decimation));
+    if (decimation.attributes)
+        for (std::string& line : AttributeLines(*decimation.attributes, layout))
+            lines.push_back(std::move(line));
     return lines;
 }
 

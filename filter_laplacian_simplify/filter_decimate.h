@@ -70,10 +70,10 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
 
 /// Writes a result to the current mesh, or to a copy of it in a new layer.
 template <class Host>
-void Commit(Host& host, vcg_ext::DecimatedMesh result, bool newLayer, bool dropUnreferenced)
+void Commit(Host& host, vcg_ext::MeshSimplification result, bool newLayer, bool dropUnreferenced)
 {
     if (newLayer) {
-        RenumberForCompactCopy(host.Mesh(), result);
+        RenumberForCompactCopy(host.Mesh(), result.mesh);
         host.ContinueOnCopy();
     }
     vcg_ext::ApplyDecimation(host.Mesh(), result, dropUnreferenced);
@@ -90,7 +90,7 @@ struct DecimationWishes {
 
 /// What every decimation filter does besides its collapses: target, progress, result, report and log.
 /// \param simplify called with the number of faces to keep and the progress, returns a
-///        vcg_ext::Simplification; not called if the mesh has no more faces than that
+///        vcg_ext::MeshSimplification; not called if the mesh has no more faces than that
 template <class Host, class Simplify>
 Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWishes& wishes,
                            const Simplify& simplify)
@@ -99,6 +99,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     const MeshFacts facts = FactsOf(host.Mesh());
     const std::size_t target = TargetFaces(values, facts);
     vcg_ext::DecimationReport report;
+    vcg_ext::AttributeLayout layout;
     if (target >= facts.faces) {
         report = ReportUnchanged(host.Mesh(), wishes.measureError);
         if (wishes.errorBound) report.certifiedError = 0;
@@ -106,17 +107,21 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     } else {
         ThrottledProgress progress(
             [&](int percent, const char* stage) { return host.Progress(percent, stage); });
-        vcg_ext::Simplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
+        vcg_ext::MeshSimplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
         report = decimation.report;
+        layout = decimation.attributes;
+        if (decimation.attributesIgnored)
+            host.Log(
+                "Order strict does not transfer attributes: the remaining vertices and faces keep theirs");
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
-            Commit(host, std::move(decimation.mesh), wishes.newLayer, wishes.cleanInput);
+            Commit(host, std::move(decimation), wishes.newLayer, wishes.cleanInput);
     }
     report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
-    for (const std::string& line : LogLines(report, target, wishes.errorBound)) host.Log(line);
-    return ToReport(report);
+    for (const std::string& line : LogLines(report, target, wishes.errorBound, layout)) host.Log(line);
+    return ToReport(report, layout);
 }
 
 /// Filter "Simplification: Laplacian-Guided Quadric Edge Collapse".
@@ -133,6 +138,10 @@ Report ApplyGuidedDecimation(Host& host, const Values& values)
     parameters.order = values.Choice<vcg_ext::Order>("order");
     parameters.threads = values.Integer("threads");
     parameters.selectedOnly = values.Boolean("selected_only");
+    parameters.keepAttributes = values.Boolean("keep_attributes");
+    parameters.keepQuality = !IsStoredQuality(values.Integer("descriptor")); // it guides as a descriptor
+    parameters.attributeWeight = values.Real("attribute_weight");
+    parameters.seams = values.Choice<vcg_ext::Seams>("seams");
     parameters.cleanInput = values.Boolean("clean_input");
     parameters.weldDistance = values.Real("weld_distance");
     parameters.measureError = values.Boolean("measure_error");

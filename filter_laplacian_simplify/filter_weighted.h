@@ -81,7 +81,8 @@ Report ApplyWeightedDecimation(Host& host, const Values& values)
                 outside = arrays.OutsideSelection(mesh);
                 view.fixedVertices = outside.data();
             }
-            return vcg_ext::SimplifyWeighted(view, parameters, std::move(progress));
+            return vcg_ext::MeshSimplification{
+                vcg_ext::SimplifyWeighted(view, parameters, std::move(progress)), {}};
         });
 }
 

@@ -70,8 +70,8 @@ const std::vector<Filter>& Filters()
          "Edges collapse in the order of their quadric error. Collapses near features cost more; \"Feature "
          "weight\" sets how much. No collapse turns a face by more than 78 degrees or creates a non-manifold "
          "edge. The result is bit-identical for any number of threads. If the target cannot be reached, the "
-         "filter stops above it and says why. Selection, colors, quality and texture coordinates of the "
-         "remaining elements are kept, not interpolated. Nothing changes if a parameter is out of range or "
+         "filter stops above it and says why. Texture coordinates, colors, quality and custom attributes guide the "
+         "decimation and are fitted to the result; seams stay. Nothing changes if a parameter is out of range or "
          "the run is canceled.",
          {kZhang2012, kGarland1997, kLindstrom1998},
          {Category::Remeshing},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,13 +37,18 @@ std::vector<double> StoredQuality(const Mesh& mesh)
     return quality;
 }
 
+/// Whether option \p option of a parameter "descriptor" is the vertex quality as it is.
+inline bool IsStoredQuality(int option)
+{
+    return option >= static_cast<int>(std::size(vcg_ext::kDescriptors));
+}
+
 /// The values of option \p option of a parameter "descriptor": a row of kDescriptors or, after the last row,
 /// the vertex quality as it is. One value for each element of mesh.vert.
 template <class Mesh>
 std::vector<double> DescriptorValues(const Mesh& mesh, int option, int threads)
 {
-    constexpr auto computed = static_cast<int>(std::size(vcg_ext::kDescriptors));
-    if (option >= computed) return StoredQuality(mesh);
+    if (IsStoredQuality(option)) return StoredQuality(mesh);
     return vcg_ext::ComputeDescriptor(mesh, static_cast<vcg_ext::Descriptor>(option), threads);
 }
 

@@ -88,6 +88,8 @@ const std::vector<Parameter>& Parameters()
     static const std::vector<Option> boundaries = {{"free", "free: like any other edge"},
                                                    {"preserve", "preserve: borders keep their shape"},
                                                    {"lock", "lock: border vertices do not move"}};
+    static const std::vector<Option> seams = {{"keep", "keep: every part of a texture stays"},
+                                              {"ignore", "ignore: parts of a texture may vanish"}};
     static const std::vector<Option> orders = {{"sweeps", "sweeps: fast parallel engine"},
                                                {"strict", "strict: VCG's queue (reference, one thread)"}};
     static const std::vector<Option> operators = UmbrellaOperators();
@@ -171,13 +173,24 @@ const std::vector<Parameter>& Parameters()
         {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
+        {"keep_attributes", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Keep attributes",
+         "Texture coordinates, materials, colors, quality and custom attributes guide the decimation, their seams "
+         "stay, and their values are fitted to the result. Off: the remaining vertices and faces keep their values. "
+         "Needs order \"sweeps\".", {}},
+        {"attribute_weight", {kGuided}, Type::Real, {1}, {0, 100}, "", "Attribute weight (0-100)",
+         "How much attributes count against the shape. 0: they are fitted to the result, but guide nothing. 10 keeps "
+         "hard borders of colors.", {}},
+        {"seams", {kGuided}, Type::Choice, {0}, Choices(seams), "", "Seams",
+         "Edges at which texture, material or color change. Keep: no part between seams vanishes, and the decimation "
+         "stops where only such collapses are left. Ignore: it goes on; the texture is then wrong there.", seams},
         {"avoid_self_intersections", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
          "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
          "care, which takes several times as long. What could not be kept is reported.", {}},
         {"clean_input", {kGuided}, Type::Boolean, {1}, kSwitch, "", "Clean the input",
          "First joins open borders where they meet at equal coordinates, as all faces of an STL file do, and "
          "removes faces with the same vertex twice, faces that are there twice, and vertices of no face. Vertices "
-         "of different color or texture coordinates stay apart.", {}},
+         "of different color or texture coordinates become a seam, and two again at the end; without \"Keep "
+         "attributes\" they stay apart.", {}},
         {"weld_distance", {kGuided}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
          "Weld distance (0-100)",
          "\"Clean the input\" also joins border vertices that are at most this far apart, in percent of the diagonal "

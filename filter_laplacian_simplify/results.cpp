@@ -48,7 +48,7 @@ const std::vector<Result>& Results()
          "Whether the mesh has at most as many faces as requested.", false},
         {"stop_reason", {kGuided, kWeighted}, Type::Integer, "",
          "Why the decimation stopped: 0 target reached, 1 error bound reached, 2 no further collapse "
-         "possible without damage, 3 canceled.", false},
+         "possible without damage, 3 canceled, 4 seams hold the last faces of their charts.", false},
         {"hausdorff", {kGuided, kWeighted}, Type::Real, kPercent,
          "Largest measured distance between original and result; missing if the error was not measured.", true},
         {"rms", {kGuided, kWeighted}, Type::Real, kPercent,
@@ -77,6 +77,21 @@ const std::vector<Result>& Results()
         {"certified_error", {kGuided}, Type::Real, kPercent,
          "No point of either surface is farther than this from the other, which is proven; missing without "
          "\"max_error\", or if it could not be proven.", true},
+        {"attribute_rms", {kGuided}, Type::RealList, "",
+         "Of every attribute that was kept, in the order in which the log names them, the root mean square difference "
+         "between original and result, in its own unit (colors 0 to 255); missing if there is none, if the error was "
+         "not measured, and if there was nothing to decimate.", true},
+        {"texture_deviation", {kGuided}, Type::Real, kPercent,
+         "Root mean square distance between where a point of the texture is and where it was; missing as "
+         "\"attribute_rms\", and without texture coordinates.", true},
+        {"largest_texture_deviation", {kGuided}, Type::Real, kPercent,
+         "The largest such distance that was found; missing as \"texture_deviation\".", true},
+        {"turned_texture_faces", {kGuided}, Type::Integer, "faces",
+         "Number of faces whose texture is turned over against most of its chart; missing without texture "
+         "coordinates, and if there was nothing to decimate.", true},
+        {"faces_held_by_seams", {kGuided}, Type::Integer, "faces",
+         "Number of faces above the target because seams allow no further collapse; missing without attributes, and "
+         "if there was nothing to decimate.", true},
         {"moved", {kSmooth}, Type::Integer, "vertices",
          "Number of moved vertices.", false},
         {"largest_movement", {kSmooth}, Type::Real, kPercent,

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <vcg/complex/complex.h>
@@ -12,6 +13,7 @@
 
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/polygon_edges.h"
+#include "vcg_ext/write_attributes.h"
 
 namespace vcg_ext
 {
@@ -40,13 +42,15 @@ void ForgetAdjacency(Mesh& mesh)
 
 } // namespace decimation_detail
 
-/// Puts a result into the mesh it was made from: survivors keep their attributes, flags and selection,
-/// everything else that was on a face goes; polygons stay where all of their faces stayed as they were; the
-/// mesh is compact afterwards and adjacency is rebuilt where the mesh has it. Normals and the box are the
-/// caller's. \param dropUnreferenced vertices that were on no face go, too
+/// Puts a result into the mesh it was made from: survivors keep their flags, their selection and what the
+/// layout does not name, everything else that was on a face goes; polygons stay where all of their faces
+/// stayed as they were; the mesh is compact afterwards and adjacency is rebuilt where the mesh has it.
+/// Normals and the box are the caller's. \param dropUnreferenced vertices that were on no face go, too
+/// \param layout of the result's corner values; where it names none, survivors keep all of their attributes
 /// \pre mesh has not changed since Decimate
 template <class Mesh>
-void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferenced = false)
+void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferenced = false,
+                     const AttributeLayout& layout = {})
 {
     using Coord = typename Mesh::CoordType;
     using Scalar = typename Mesh::ScalarType;
@@ -59,6 +63,8 @@ void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferen
         for (int k = 0; k < 3; ++k) wasUsed[vcg::tri::Index(mesh, mesh.face[f].cV(k))] = true;
     }
     decimation_detail::ForgetAdjacency(mesh);
+    std::optional<AttributeWriter<Mesh>> attributes;
+    if (!layout.attributes.empty() || layout.vertexTextures) attributes.emplace(mesh, layout, result, live);
     for (std::size_t v = 0; v < result.positions.size(); ++v) {
         const auto& p = result.positions[v];
         mesh.vert[result.vertexOrigin[v]].P() =
@@ -83,6 +89,7 @@ void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferen
             for (int k = 0; k < 3; ++k) face.ClearF(k);
         ++next;
     }
+    if (attributes) attributes->Write();
     for (std::size_t v = 0; v < wasUsed.size(); ++v)
         if ((wasUsed[v] || (dropUnreferenced && !mesh.vert[v].IsD())) && !staysUsed[v])
             Allocator::DeleteVertex(mesh, mesh.vert[v]);

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,6 +14,7 @@
 #include "vcg_ext/apply_decimation.h"
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/mesh_arrays.h"
+#include "vcg_ext/mesh_attributes.h"
 #include "vcg_ext/ordered/decimate.h"
 
 namespace vcg_ext
@@ -20,6 +24,14 @@ namespace vcg_ext
 struct MeshDecimationParameters : DecimationParameters {
     bool selectedOnly = false;   ///< faces that are not selected keep their vertices and stay
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
+    bool keepAttributes = true;  ///< what the mesh carries guides and is transferred: MeshAttributes
+    bool keepQuality = true;     ///< the vertex quality, too
+};
+
+/// A simplification of a VCG mesh.
+struct MeshSimplification : Simplification {
+    AttributeLayout attributes;     ///< of the corner values
+    bool attributesIgnored = false; ///< the mesh has attributes that order strict does not know
 };
 
 /// Simplify, for both orders. An error bound is kept by the sweeps alone.
@@ -49,7 +61,7 @@ inline Simplification Decimate(const MeshView& view, const DecimationParameters&
 ///        components, borders and non-manifold edges are welcome
 /// \throws as Simplify
 template <class Mesh>
-Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
+MeshSimplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
 {
     const MeshArrays<Mesh> arrays(mesh);
     MeshView view = arrays.View();
@@ -58,11 +70,34 @@ Simplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parame
         outside = arrays.OutsideSelection(mesh);
         view.fixedVertices = outside.data();
     }
-    const std::vector<std::uint32_t> keys =
-        parameters.cleanInput ? AttributeKeys(mesh) : std::vector<std::uint32_t>{};
-    if (!keys.empty()) view.vertexKeys = keys.data();
     if (!parameters.guidance.empty()) view.guidance = parameters.guidance.data();
-    return Decimate(view, static_cast<const DecimationParameters&>(parameters));
+    std::optional<MeshAttributes<Mesh>> attributes;
+    if (parameters.keepAttributes)
+        attributes.emplace(mesh, arrays, view,
+                           AttributeReading{parameters.keepQuality, parameters.cleanInput,
+                                            WeldDistance(view, parameters), parameters.threads});
+    const CornerAttributes* const corners = attributes ? attributes->Corners() : nullptr;
+    const bool ignored = corners && parameters.order == Order::Strict;
+    if (!ignored) view.attributes = corners;
+    std::vector<std::uint32_t> keys;
+    if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
+    if (!keys.empty()) view.vertexKeys = keys.data();
+    MeshSimplification result{
+        Decimate(view, static_cast<const DecimationParameters&>(parameters)), {}, ignored};
+    if (view.attributes) {
+        result.attributes = attributes->Layout();
+        const auto& cleaning = result.report.cleaning;
+        result.attributes.doubledVertices = cleaning && cleaning->weldedVertices > 0;
+    }
+    return result;
+}
+
+/// Puts the result of a mesh into it, as ApplyDecimation of vcg_ext/apply_decimation.h.
+/// \pre mesh has not changed since Decimate
+template <class Mesh>
+void ApplyDecimation(Mesh& mesh, const MeshSimplification& result, bool dropUnreferenced = false)
+{
+    ApplyDecimation(mesh, result.mesh, dropUnreferenced, result.attributes);
 }
 
 /// The simplification of Zhang et al. (2012): their collapse alone in the pipeline of Simplify, without

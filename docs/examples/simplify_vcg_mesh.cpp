@@ -37,8 +37,8 @@ void Simplify()
 
     vcg_ext::MeshDecimationParameters parameters;
     parameters.targetFaces = 1000;
-    const vcg_ext::Simplification result = vcg_ext::Decimate(mesh, parameters); // reads the mesh
-    vcg_ext::ApplyDecimation(mesh, result.mesh);                                // changes it
+    const vcg_ext::MeshSimplification result = vcg_ext::Decimate(mesh, parameters); // reads the mesh
+    vcg_ext::ApplyDecimation(mesh, result);                                         // changes it
 
     std::cout << result.report.facesBefore << " faces became " << mesh.FN() << '\n';
 }

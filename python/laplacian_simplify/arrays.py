@@ -81,7 +81,7 @@ def simplify_arrays(
         TypeError: something is of another type.
         ValueError: something has another shape, or cannot be used; the text names it.
     """
-    values = {parameter.id: numbers.get(parameter.id, parameter.default) for parameter in row.of_arrays}
+    values = {parameter.id: numbers.get(parameter.id, parameter.default) for parameter in row.parameters}
     _refuse_what_needs_mesh_sets(row, values)
     mesh = _checked_mesh(vertices, faces, options)
     channels = _channels(mesh, options.attributes, bool(values["keep_attributes"]))

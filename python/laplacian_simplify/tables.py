@@ -91,20 +91,13 @@ class Filter:
     parameters: tuple[Parameter, ...]
     results: tuple[Result, ...]
 
-    @property
-    def of_arrays(self) -> tuple[Parameter, ...]:
-        """The parameters that arrays can be given."""
-        known = {row.id for row in self.parameters}
-        missing = _OF_ARRAYS if self.has("effort") else ()
-        return self.parameters + tuple(row for row in missing if row.id not in known)
-
     def parameter(self, name: str) -> Parameter:
         """The row of a parameter.
 
         Raises:
             TypeError: the filter has none of this name, as Python says of a function.
         """
-        for row in self.of_arrays:
+        for row in self.parameters:
             if row.id == name:
                 return row
         known = ", ".join(row.id for row in self.parameters)
@@ -113,24 +106,6 @@ class Filter:
     def has(self, name: str) -> bool:
         """Whether the filter has a parameter of this name."""
         return any(row.id == name for row in self.parameters)
-
-
-# What arrays can be given before the plugin's table has it; then this and of_arrays go.
-_OF_ARRAYS = (
-    Parameter("keep_attributes", "boolean", True, "true", "true or false", "", "", ""),
-    Parameter("attribute_weight", "real", 1, "1", "[0, 100]", "", "", "", 0, 100),
-    Parameter(
-        "seams",
-        "choice",
-        0,
-        "keep",
-        "keep (0), ignore (1)",
-        "",
-        "",
-        "",
-        options=(Option("keep", ""), Option("ignore", "")),
-    ),
-)
 
 
 def _parameter(row: dict[str, Any]) -> Parameter:

@@ -12,9 +12,7 @@ from array_meshes import wave
 
 import laplacian_simplify as ls
 from laplacian_simplify.conversions import LIBRARIES, library_of
-from laplacian_simplify.tables import filter_named
 
-SIMPLIFY = filter_named("meshing_decimation_laplacian_quadric_edge_collapse")
 VERTICES, FACES = wave()
 VALUES, FACE_VALUES = np.arange(len(VERTICES), dtype=np.float64), np.arange(len(FACES), dtype=np.float64)
 COLORS = np.random.default_rng(1).integers(0, 256, (len(VERTICES), 4), dtype=np.uint8)
@@ -174,8 +172,7 @@ def test_selection_quality_and_colors_of_pymeshlab() -> None:
     mesh_set.compute_selection_by_condition_per_face(condselect="x0 + x1 + x2 < 4")
     options = {"target_percent": 10, "descriptor": "vertex_quality"}
     small, result = ls.simplify(mesh_set.current_mesh(), **options, keep_attributes=False, return_result=True)
-    plain = {"keep_attributes": False} if SIMPLIFY.has("keep_attributes") else {}
-    report = ls.simplify(mesh_set, **options, **plain)
+    report = ls.simplify(mesh_set, **options, keep_attributes=False)
     assert np.array_equal(small.vertex_matrix(), mesh_set.current_mesh().vertex_matrix())
     assert small.vertex_number() == report.vertices
     assert np.array_equal(small.vertex_scalar_array(), VALUES[result.vertex_origin])

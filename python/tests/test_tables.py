@@ -53,7 +53,7 @@ def test_every_filter_has_a_function_with_its_parameters(row) -> None:
     parameters = inspect.signature(FUNCTIONS[row.python_name]).parameters
     assert next(iter(parameters)) == "mesh"
     own = {name: p for name, p in parameters.items() if name not in NOT_IN_THE_TABLES}
-    assert set(own) == {parameter.id for parameter in row.of_arrays}
+    assert set(own) == {parameter.id for parameter in row.parameters}
     assert all(p.kind is p.KEYWORD_ONLY and p.default is None for p in own.values())
 
 

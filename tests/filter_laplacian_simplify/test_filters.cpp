@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <QRegularExpression>
 #include <QtTest>
 
 #include <vcg/complex/complex.h>
@@ -35,8 +36,9 @@ class PlainVertex;
 class PlainFace;
 struct PlainTypes : vcg::UsedTypes<vcg::Use<PlainVertex>::AsVertexType, vcg::Use<PlainFace>::AsFaceType> {
 };
-class PlainVertex : public vcg::Vertex<PlainTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
-                                       vcg::vertex::Qualityf, vcg::vertex::Color4b, vcg::vertex::BitFlags>
+class PlainVertex
+    : public vcg::Vertex<PlainTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::Qualityf,
+                         vcg::vertex::Color4b, vcg::vertex::TexCoord2f, vcg::vertex::BitFlags>
 {
 };
 class PlainFace : public vcg::Face<PlainTypes, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags>
@@ -63,6 +65,7 @@ class PlainHost
     {
         layers_.push_back(std::make_unique<PlainMesh>());
         test_meshes::Fill(Mesh(), mesh);
+        for (auto& v : Mesh().vert) v.T() = {0, 0};
         GeometryChanged();
         geometryChanges = 0;
     }
@@ -147,6 +150,16 @@ test_meshes::IndexedMesh Soup(const test_meshes::IndexedMesh& mesh)
     return soup;
 }
 
+/// Gives it a texture, colors and quality that follow the position.
+void Paint(PlainMesh& mesh)
+{
+    for (auto& v : mesh.vert) {
+        v.T() = {v.P()[0], v.P()[1]};
+        v.C() = vcg::Color4b(static_cast<unsigned char>(128 + 100 * v.P()[2]), 1, 2, 255);
+        v.Q() = v.P()[1];
+    }
+}
+
 /// The faces whose centroid has a positive x.
 void SelectHalf(PlainMesh& mesh)
 {
@@ -193,6 +206,9 @@ class TestFilters : public QObject
     void logTellsWhyTheTargetWasMissed();
     void soupIsWelded();
     void differentColorsStayApart();
+    void logNamesTheAttributes();
+    void storedQualityGuidesAndIsNoAttribute();
+    void orderStrictSaysWhatItKeeps();
     void progressIsThrottled();
     void percentilesAreThoseOfTheSortedValues();
     void descriptorChangesOnlyTheSelection();
@@ -211,6 +227,7 @@ void TestFilters::returnsExactlyTheResultsOfItsTable()
     QFETCH(FilterId, filter);
     const test_meshes::IndexedMesh box = test_meshes::Box(4);
     PlainHost host(test_meshes::Merged(box, test_meshes::Moved(box, 0.3, 1, {0.4, 0.3, 0.2}))); // crossing
+    for (auto& v : host.Mesh().vert) v.T() = {v.P()[0], v.P()[1]};
     QStringList expected, returned;
     for (const Result* row : ResultsOf(filter)) expected << row->id;
     std::map<std::string, GivenValue> values;
@@ -358,6 +375,10 @@ void TestFilters::logTellsWhyTheTargetWasMissed()
     QCOMPARE(soup.log.front().substr(soup.log.front().find("target")),
              std::string("target of 32 faces not reached: most faces are not connected; "
                          "turn on \"Clean the input\", or set a \"Weld distance\""));
+    report.stopReason = vcg_ext::StopReason::Seams;
+    QCOMPARE(StopDescription(report, 500),
+             std::string("target of 500 faces not reached: seams hold the last faces of their charts; set "
+                         "\"Seams\" to ignore, or make a texture of fewer parts"));
     report.stopReason = vcg_ext::StopReason::ErrorBound;
     QCOMPARE(StopDescription(report, 500),
              std::string("error bound reached: every further collapse would exceed it"));
@@ -383,8 +404,48 @@ void TestFilters::differentColorsStayApart()
 {
     PlainHost host(Soup(test_meshes::Icosphere(2)));
     host.Mesh().vert[0].C() = vcg::Color4b(1, 2, 3, 255);
-    const Report report = host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}});
+    const Report report =
+        host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}, {"keep_attributes", 0.0}});
     QCOMPARE(Get<int>(report, "welded_vertices"), 3 * 320 - 162 - 1);
+}
+
+void TestFilters::logNamesTheAttributes()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    Paint(host.Mesh());
+    const Report report = host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}});
+    const auto errors = Get<std::vector<double>>(report, "attribute_rms");
+    QCOMPARE(errors.size(), std::size_t{3});
+    // A color of 100 a unit of length is off by as many hundredths as one of its 255 parts.
+    QVERIFY(errors[1] > 20 * errors[2] && errors[1] < 10);
+    const QString line = QString::fromStdString(host.log[host.log.size() - 2]);
+    const QRegularExpression named("^Attributes, rms difference: vertex texture coordinates [0-9.]+, "
+                                   "vertex color [0-9.]+ of 255, vertex quality [0-9.]+$");
+    QVERIFY2(named.match(line).hasMatch(), qPrintable(line));
+    const QString texture = QString::fromStdString(host.log.back());
+    QVERIFY2(texture.startsWith("Texture deviation in percent of the bounding box diagonal: rms 0."),
+             qPrintable(texture));
+    QCOMPARE(Get<int>(report, "faces_held_by_seams"), 0);
+}
+
+void TestFilters::storedQualityGuidesAndIsNoAttribute()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    std::set<float> before;
+    for (auto& v : host.Mesh().vert) before.insert(v.Q() = v.P()[1]);
+    const Report report =
+        host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}, {"descriptor", 5.0}});
+    for (const auto& entry : report.Entries()) QVERIFY(entry.first != "attribute_rms");
+    for (const auto& v : host.Mesh().vert) QVERIFY(before.count(v.cQ()) == 1);
+}
+
+void TestFilters::orderStrictSaysWhatItKeeps()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    Paint(host.Mesh());
+    host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}, {"order", 1.0}});
+    QCOMPARE(host.log.front(), std::string("Order strict does not transfer attributes: the remaining "
+                                           "vertices and faces keep theirs"));
 }
 
 void TestFilters::progressIsThrottled()

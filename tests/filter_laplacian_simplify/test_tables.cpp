@@ -141,14 +141,25 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "refinement_floor",
                                                                          "class_as_quality"};
     QTest::addRow("guided") << FilterId::GuidedDecimation
-                            << QStringList{"target_faces",  "target_percent",
-                                           "max_error",     "feature_weight",
-                                           "effort",        "descriptor",
-                                           "boundary",      "preserve_topology",
-                                           "selected_only", "avoid_self_intersections",
-                                           "clean_input",   "weld_distance",
-                                           "new_layer",     "measure_error",
-                                           "order",         "threads"};
+                            << QStringList{"target_faces",
+                                           "target_percent",
+                                           "max_error",
+                                           "feature_weight",
+                                           "effort",
+                                           "descriptor",
+                                           "boundary",
+                                           "preserve_topology",
+                                           "selected_only",
+                                           "keep_attributes",
+                                           "attribute_weight",
+                                           "seams",
+                                           "avoid_self_intersections",
+                                           "clean_input",
+                                           "weld_distance",
+                                           "new_layer",
+                                           "measure_error",
+                                           "order",
+                                           "threads"};
     QTest::addRow("weighted") << FilterId::WeightedDecimation
                               << QStringList{"error_function", "target_faces", "target_percent",
                                              "feature_weight", "descriptor",   "class_aware",
@@ -192,6 +203,11 @@ void TestTables::returnedKeysAreThoseOfTheContract_data()
                                            "welded_vertices",
                                            "dropped_faces",
                                            "certified_error",
+                                           "attribute_rms",
+                                           "texture_deviation",
+                                           "largest_texture_deviation",
+                                           "turned_texture_faces",
+                                           "faces_held_by_seams",
                                            "seconds"};
 }
 
@@ -231,6 +247,9 @@ void TestTables::defaultsAreThoseOfTheContract()
     QCOMPARE(text(guided, "effort"), "1 `balanced`");
     QCOMPARE(text(guided, "boundary"), "1 `preserve`");
     QCOMPARE(text(guided, "order"), "0 `sweeps`");
+    QCOMPARE(text(guided, "keep_attributes"), "true");
+    QCOMPARE(text(guided, "attribute_weight"), "1");
+    QCOMPARE(text(guided, "seams"), "0 `keep`");
     QCOMPARE(text(guided, "measure_error"), "true");
     QCOMPARE(Find(guided, "target_faces").Default({100, 0}), 50.0);
     QCOMPARE(Find(guided, "target_faces").Default({100, 30}), 15.0);

@@ -32,7 +32,7 @@ def meshlabserver(host: HostProgram, display: str) -> ScriptHost:
     """The command that comes with 2020.09; later ones have none. It needs a display with OpenGL."""
 
     def run(script: Path, mesh: Path, output: Path) -> ScriptRun:
-        command = host.command("meshlabserver", "-i", mesh, "-o", output, "-m", "vq", "vc", "-s", script)
+        command = host.command("meshlabserver", "-i", mesh, "-o", output, "-m", "vq", "vc", "wt", "-s", script)
         return _run(command, env=host.environment(display))
 
     return run

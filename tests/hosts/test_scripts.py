@@ -13,6 +13,7 @@ from display import Display
 from filter_scripts import values_of, write_script
 from host_programs import HostProgram
 from mesh_checks import EXPECTATIONS, MeshData
+from painted_box import check_painted_box, write_painted_box
 from script_hosts import ScriptHost
 
 HOSTS = ["meshlab-2020.09", "meshlab-2022.02", "meshlab-2025.07", "pymeshlab-2025.7"]
@@ -67,6 +68,18 @@ def test_every_choice(
     before, after = len(MeshData.read(part).faces), len(MeshData.read(output).faces)
     expected = before * 0.8 ** len(steps) if kept else before
     assert abs(after - expected) <= 2 * len(steps), run.output  # a collapse may take two faces at once
+
+
+def test_attributes_are_kept(filters: list[dict], run_script: ScriptHost, part: Path, tmp_path: Path) -> None:
+    """Texture coordinates of wedges, vertex colors and quality, from one file to another."""
+    row = next(row for row in filters if row["id"] == "simplify")
+    box = write_painted_box(part.with_name("painted_box.obj"), tmp_path / "box.ply")
+    script = write_script(tmp_path / "script.mlx", (row, values_of(row, target_percent=20)))
+    output = tmp_path / "output.ply"
+    run = run_script(script, box, output)
+    assert "texture coordinates" in run.output, run.output
+    assert "Texture deviation in percent" in run.output, run.output
+    check_painted_box(output, faces=614)  # a fifth of 3,072
 
 
 @pytest.mark.parametrize(

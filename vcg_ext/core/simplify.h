@@ -89,6 +89,13 @@ struct SweepCollapse {
     }
 };
 
+/// DecimationParameters::weldDistance in the mesh's unit of length.
+inline double WeldDistance(const MeshView& view, const DecimationParameters& parameters)
+{
+    if (!(parameters.weldDistance > 0)) return 0;
+    return parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit;
+}
+
 /// Runs on what is left of a mesh when it has been cleaned, and names faces as the input does.
 /// \param run called as run(view), returns a Simplification
 /// \throws std::invalid_argument if no face is left
@@ -96,9 +103,7 @@ template <class Run>
 Simplification OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
 {
     if (!parameters.cleanInput) return run(view);
-    const double distance =
-        parameters.weldDistance > 0 ? parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit : 0;
-    const CleanedInput clean(view, distance, parameters.threads);
+    const CleanedInput clean(view, WeldDistance(view, parameters), parameters.threads);
     if (clean.View().faceCount == 0)
         throw std::invalid_argument("weld_distance = " + std::to_string(parameters.weldDistance) +
                                     " leaves no face: every one has two corners that are welded");
