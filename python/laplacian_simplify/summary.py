@@ -68,7 +68,10 @@ def _decimation(report: Mapping[str, Any], spelled: Spelling) -> list[str]:
 
 def _attributes(report: Mapping[str, Any]) -> str:
     given = report["attribute_rms"]
-    parts = [f"{name} rms {rms:.3g}" for name, rms in given.items()] if isinstance(given, Mapping) else []
+    if isinstance(given, Mapping):
+        parts = [f"{name} rms {rms:.3g}" for name, rms in given.items()]
+    else:  # of the host, which names them in its log
+        parts = [f"rms {_list(given, '.3g')}"]
     if "texture_deviation" in report:
         parts.append(
             f"texture off by rms {report['texture_deviation']:.3g} %, "

@@ -148,3 +148,15 @@ def test_a_part_of_a_mesh_stops_at_a_cost_and_keeps_its_seams() -> None:
     assert len(free.faces) < len(limited.faces) < len(faces)
     assert outcome(descriptor_scale=free.descriptor_scale).vertices.tobytes() == free.vertices.tobytes()
     assert outcome(descriptor_scale=1e-3).vertices.tobytes() != free.vertices.tobytes()
+
+
+def test_a_summary_of_attributes() -> None:
+    """Those of arrays have names, those of the host an order."""
+    numbers = {"seconds": 1.0, "faces_before": 9, "faces": 8, "vertices": 7, "target_reached": True, "stop_reason": 0}
+    texture = {"texture_deviation": 0.25, "largest_texture_deviation": 1.5, "turned_texture_faces": 2}
+    named = ls.DecimationReport.of({**numbers, **texture, "attribute_rms": {"uv": 0.5, "color": 12}})
+    assert (
+        "values    uv rms 0.5, color rms 12, texture off by rms 0.25 %, largest 1.5 % of the bounding box's diagonal, "
+        "2 faces with turned texture"
+    ) in str(named)
+    assert "values    rms 0.5 / 12\n" in str(ls.DecimationReport.of({**numbers, "attribute_rms": [0.5, 12.0]}))
