@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .files.errors import MeshFileError
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
-    from .filters import classify, descriptor, levels_of_detail, simplify, smooth, weighted
+    from .filters import classify, descriptor, levels_of_detail, smooth, weighted
     from .levels import LevelReport
     from .plugin import PYMESHLAB_VERSION, load, plugin_path
     from .report import (
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
         SmoothingReport,
         StopReason,
     )
+    from .simplification import simplify
 
     __version__: str
 
@@ -45,7 +46,7 @@ _MODULES = {
     "files.errors": ("MeshFileError",),
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
-    "filters": ("classify", "descriptor", "levels_of_detail", "simplify", "smooth", "weighted"),
+    "filters": ("classify", "descriptor", "levels_of_detail", "smooth", "weighted"),
     "levels": ("LevelReport",),
     "plugin": ("PYMESHLAB_VERSION", "load", "plugin_path"),
     "report": (
@@ -57,6 +58,7 @@ _MODULES = {
         "SmoothingReport",
         "StopReason",
     ),
+    "simplification": ("simplify",),
 }
 
 __all__ = [

@@ -5,11 +5,12 @@
 import math
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
+from .attributes import Attributes, Channels
 from .library import MeshArrays, Outcome, Progress, run
 from .report import DecimationReport, StopReason
 from .tables import Filter
@@ -39,9 +40,16 @@ class Simplified:
     """(m, 3), of the type that the input's have."""
     report: DecimationReport
     vertex_origin: Array = field(repr=False)
-    """The input vertex that each vertex was, ascending; most of them have moved."""
+    """The input vertex that each vertex was, ascending; most of them have moved. Vertices that are split along a seam
+    have the same."""
     face_origin: Array = field(repr=False)
     """The input face that each face was, ascending; most of them have other corners now."""
+    vertex_attributes: dict[str, Array] = field(repr=False, default_factory=dict)
+    """What the arrays at vertices have become, under their names and of their types, (n,) or (n, k)."""
+    corner_attributes: dict[str, Array] = field(repr=False, default_factory=dict)
+    """What the arrays at corners have become, (m, 3) or (m, 3, k)."""
+    face_labels: Array | None = field(repr=False, default=None)
+    """(m,), of the type that the input's have."""
 
     def __iter__(self) -> Iterator[Array]:
         return iter((self.vertices, self.faces))
@@ -55,6 +63,7 @@ class ArrayOptions:
     locked: Any = None
     quality: Any = None
     progress: Any = None
+    attributes: Attributes = field(default_factory=Attributes)
 
 
 def simplify_arrays(
@@ -78,6 +87,7 @@ def simplify_arrays(
     }
     _refuse_what_needs_mesh_sets(row, values)
     mesh = _checked_mesh(vertices, faces, options)
+    channels = _channels(mesh, options.attributes, bool(values["keep_attributes"]))
     mesh, target = _target(mesh, numbers)
     if needs_quality(row, numbers) != (mesh.quality is not None):
         raise ValueError(f"descriptor = {_STORED_QUALITY} and the array quality are given together or not at all")
@@ -87,6 +97,8 @@ def simplify_arrays(
         "effort",
         "descriptor",
         "boundary",
+        "attribute_weight",
+        "seams",
         "preserve_topology",
         "avoid_self_intersections",
         "clean_input",
@@ -95,8 +107,11 @@ def simplify_arrays(
         "threads",
     )
     parameters = {name: values[name] or 0 for name in passed}
+    if channels.are_there:
+        mesh = _with_attributes(mesh, channels)
     with _progress(options.progress) as progress:
-        return _simplified(vertices, faces, run(mesh, {**parameters, "target_faces": target}, progress))
+        outcome = run(mesh, {**parameters, "target_faces": target}, progress)
+    return _simplified(vertices, faces, outcome, channels)
 
 
 def _refuse_what_needs_mesh_sets(row: Filter, values: Mapping[str, Any]) -> None:
@@ -133,6 +148,22 @@ def _checked_mesh(vertices: Any, faces: Any, options: ArrayOptions) -> MeshArray
         _flags("selected", options.selected, len(faces)),
         _quality(options.quality, len(vertices)),
     )
+
+
+def _channels(mesh: MeshArrays, attributes: Attributes, keep: bool) -> Channels:
+    """The checked attributes; those of what remains where they are not to be kept."""
+    channels = Channels(attributes, len(mesh.vertices), len(mesh.faces))
+    return channels if keep else channels.unused()
+
+
+def _with_attributes(mesh: MeshArrays, channels: Channels) -> MeshArrays:
+    """The mesh with what guides the collapse."""
+    indices = mesh.faces if mesh.faces.dtype.kind == "i" else mesh.faces.astype(np.int64)
+    if len(indices) and not (indices.min() >= 0 and indices.max() < len(mesh.vertices)):
+        return mesh  # which the run refuses
+    values = channels.at_corners(indices)
+    kinds = None if values is None else np.array(channels.kinds, np.int32)
+    return replace(mesh, corner_values=values, channel_kinds=kinds, labels=channels.labels)
 
 
 def _require_array(name: str, value: Any, kind: str, fits: Callable[[np.dtype[Any]], bool]) -> None:
@@ -178,7 +209,7 @@ def _target(mesh: MeshArrays, numbers: Mapping[str, float]) -> tuple[MeshArrays,
     if selected_only and selected == 0:
         raise ValueError("selected_only = true, but no face is selected")
     if not selected_only:
-        mesh = MeshArrays(mesh.vertices, mesh.faces, mesh.locked, None, mesh.quality)
+        mesh = replace(mesh, selected=None)
     among = selected if selected_only else len(mesh.faces)
     target = numbers.get("target_faces", 0) or _rounded(numbers["target_percent"] / 100 * among)
     return mesh, len(mesh.faces) - among + max(int(target), 1)
@@ -189,18 +220,41 @@ def _rounded(value: float) -> int:
     return math.floor(value) + (value - math.floor(value) >= 0.5)
 
 
-def _simplified(vertices: Array, faces: Array, outcome: Outcome) -> Simplified:
-    report = DecimationReport.of(outcome.report)
+def _simplified(vertices: Array, faces: Array, outcome: Outcome, channels: Channels) -> Simplified:
+    report = DecimationReport.of({**outcome.report, **_attribute_report(outcome, channels)})
     if report.stop_reason is StopReason.CANCELLED:
         origins = np.arange(len(vertices)), np.arange(len(faces))
-        return Simplified(np.array(vertices), np.array(faces), report, *origins)
+        return Simplified(np.array(vertices), np.array(faces), report, *origins, **channels.results(None, *origins))
+    values, small, origin = outcome.corner_values, outcome.faces, outcome.vertex_origin
+    positions = outcome.vertices
+    if values is not None:
+        old, small = channels.split(small, values, len(positions))
+        positions, origin = positions[old], origin[old]
+        report = replace(report, vertices=len(positions))
     return Simplified(
-        outcome.vertices.astype(vertices.dtype, copy=False),
-        outcome.faces.astype(faces.dtype, copy=False),
+        positions.astype(vertices.dtype, copy=False),
+        small.astype(faces.dtype, copy=False),
         report,
-        outcome.vertex_origin,
+        origin,
         outcome.face_origin,
+        **channels.results(values, origin, outcome.face_origin, small),
     )
+
+
+def _attribute_report(outcome: Outcome, channels: Channels) -> dict[str, Any]:
+    """The numbers of the report on attributes."""
+    found = outcome.attributes
+    if found is None:
+        return {}
+    numbers: dict[str, Any] = {"faces_held_by_seams": found.held_faces}
+    if found.rms:
+        numbers["attribute_rms"] = channels.rms(found.rms)
+    if channels.has_texture:
+        numbers["turned_texture_faces"] = found.turned_faces
+    if found.textures:
+        numbers["texture_deviation"] = max(rms for rms, _ in found.textures)
+        numbers["largest_texture_deviation"] = max(largest for _, largest in found.textures)
+    return numbers
 
 
 @contextmanager

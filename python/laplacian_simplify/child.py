@@ -22,7 +22,11 @@ from typing import IO, Any, TypeAlias
 Job: TypeAlias = dict[str, Any]
 Stage = Callable[[str], None]
 
-_BOOT = "import sys, json; sys.path[:] = json.loads(sys.argv[2]); from laplacian_simplify.child import serve; serve()"
+# Nothing is imported from the folder that the process happens to be in.
+_BOOT = (
+    "import sys; sys.path[:] = filter(None, sys.path); import json; sys.path[:] = json.loads(sys.argv[2]); "
+    "from laplacian_simplify.child import serve; serve()"
+)
 _ERRORS: dict[str, type[Exception]] = {
     error.__name__: error for error in (OSError, ValueError, RuntimeError, MemoryError, ImportError, FileNotFoundError)
 }
@@ -59,7 +63,7 @@ class Child:
         """
         self._answers, answers = os.pipe()
         job = {"function": function, "arguments": arguments, "parent": os.getpid(), "answers": answers}
-        words = [sys.executable, "-P", "-c", _BOOT, json.dumps(job), json.dumps(sys.path)]
+        words = [sys.executable, "-c", _BOOT, json.dumps(job), json.dumps(sys.path)]
         sink = subprocess.PIPE if log else subprocess.DEVNULL
         input_of = None if standard_input else subprocess.DEVNULL
         environment = {**os.environ, "TMPDIR": scratch} if scratch else None

@@ -3,17 +3,18 @@
 """The command laplacian-simplify: a mesh file in, a mesh file out, a report.
 
 Exit codes: 0 done, also when a target could not be reached; 1 the input or the output could not be read or
-written; 2 wrong arguments. Those of batch are in its own module.
+written; 2 wrong arguments; 4 with --strict a target could not be reached. Those of batch are in its own module.
 """
 
 import argparse
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from .answers import fraction_note, why_missed
 from .error_bound import error_bounds
 from .file_arguments import Files, files_of, files_of_levels
 from .files.errors import printable
@@ -21,15 +22,22 @@ from .files.output_formats import output_format
 from .files.source import scratch_named
 from .files.staging import check_target, staged_output
 from .following import in_a_process
-from .options import SHORT_NAMES, WITHOUT_OPTION, Command, make_parser
+from .options import SHORT_NAMES, WITHOUT_OPTION, Command, as_option, make_parser
+from .report_file import report_of, report_text
 from .running import checked
 from .signals import signals_held
 from .streams import say, show, write_out
-from .summary import summary
+from .summary import missed, summary
 
 STOPPED = 130
 """Exit code of a run that a signal ended, as shells have it."""
+MISSED = 4
+"""Exit code where a target that has to be reached is not."""
 _KEPT = "what is done is kept, and the same command goes on"
+
+
+class MissedTargetError(Exception):
+    """The target was not reached, which is an error here."""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -47,6 +55,8 @@ def _main(options: argparse.Namespace) -> int:
     command: Command = options.command
     try:
         values = _values(command, options)
+        if note := fraction_note(values.get("target_percent", 0), as_option):
+            say(f"laplacian-simplify: warning: {note}")
         if options.batch:
             from .batch.command import run_batch
 
@@ -54,12 +64,14 @@ def _main(options: argparse.Namespace) -> int:
         if command.has_levels:
             return _levels(command, options, values)
         files = files_of(options)
-        answer = _run(command, files, values)
-        _show(command, files, answer)
+        answer = _run(command, files, values, options)
+        _show(command, files, answer, quiet=options.quiet)
     except ValueError as error:
         return _fail(2, _with_option_name(str(error)))
     except KeyboardInterrupt:
         return _fail(STOPPED, "stopped; " + (_KEPT if options.batch else "nothing was written"))
+    except MissedTargetError as error:
+        return _fail(MISSED, f"{error}; nothing was written")
     except (OSError, RuntimeError, ImportError) as error:
         return _fail(1, str(error))
     except MemoryError:
@@ -87,8 +99,9 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     return values | bound
 
 
-def _run(command: Command, files: Files, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Reads, filters and writes in a process of its own; the files appear when all of it went well."""
+def _run(command: Command, files: Files, values: Mapping[str, Any], options: argparse.Namespace) -> dict[str, Any]:
+    """Reads, filters and writes in a process of its own; the files appear when all of it went well. The answer has the
+    report also as the text of a file."""
     if not files.to_standard_output:
         check_target(files.output)
     output_format(files.output_name)
@@ -105,9 +118,13 @@ def _run(command: Command, files: Files, values: Mapping[str, Any]) -> dict[str,
         }
         with scratch_named(files.shown_input):
             scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
-        answer = in_a_process(arguments, scratch)
+        answer = in_a_process(arguments, scratch, quiet=options.quiet)
+        report = answer["report"]
+        if getattr(options, "strict", False) and missed(report):
+            raise MissedTargetError(f"{files.shown_input}: target not reached: {why_missed(report, as_option)}")
+        answer["text"] = report_text(command.filter, report, values, files.shown_input, files.shown_output)
         if staged_report:
-            staged_report.write_text(_json(answer["report"]), encoding="utf-8")
+            staged_report.write_text(answer["text"], encoding="utf-8")
     return answer
 
 
@@ -132,15 +149,22 @@ def _levels(command: Command, options: argparse.Namespace, values: Mapping[str, 
         }
         with scratch_named(first.shown_input):
             scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
-        answer = in_a_process(arguments, scratch, "run_levels")
+        answer = in_a_process(arguments, scratch, "run_levels", quiet=options.quiet)
+        reports = [
+            report_of(command.filter, report, values, level.shown_input, level.shown_output)
+            for level, report in zip(files, answer["report"], strict=True)
+        ]
+        text = json.dumps(reports, indent=2) + "\n"
         if staged_report:
-            staged_report.write_text(_json(answer["report"]), encoding="utf-8")
+            staged_report.write_text(text, encoding="utf-8")
     for note in answer["notes"]:
         say(f"laplacian-simplify: note: {note}")
-    for level, report in zip(files, answer["report"], strict=True):
-        (say if level.standard_output_is_taken else show)(summary(level.shown_input, level.shown_output, report))
+    if not options.quiet:
+        for level, report in zip(files, answer["report"], strict=True):
+            lines = summary(level.shown_input, level.shown_output, report, as_option)
+            (say if level.standard_output_is_taken else show)(lines)
     if first.json_to_standard_output:
-        write_out(_json(answer["report"]).encode())
+        write_out(text.encode())
     return 0
 
 
@@ -157,7 +181,7 @@ def _staged(files: Files) -> Iterator[Path]:
         write_out(staged.read_bytes())
 
 
-def _show(command: Command, files: Files, answer: Mapping[str, Any]) -> None:
+def _show(command: Command, files: Files, answer: Mapping[str, Any], *, quiet: bool) -> None:
     """Notes, the report for people, and as JSON where standard output was asked for."""
     stores_quality = command.stores_quality and Path(files.output_name).suffix.lower() != ".ply"
     if stores_quality:
@@ -165,14 +189,11 @@ def _show(command: Command, files: Files, answer: Mapping[str, Any]) -> None:
     for note in answer["notes"]:
         if not (stores_quality and note.endswith("does not keep vertex quality; PLY keeps all")):
             say(f"laplacian-simplify: note: {note}")
-    text = summary(files.shown_input, files.shown_output, answer["report"])
-    (say if files.standard_output_is_taken else show)(text)
+    if not quiet:
+        text = summary(files.shown_input, files.shown_output, answer["report"], as_option)
+        (say if files.standard_output_is_taken else show)(text)
     if files.json_to_standard_output:
-        write_out(_json(answer["report"]).encode())
-
-
-def _json(report: Mapping[str, Any] | Sequence[Mapping[str, Any]]) -> str:
-    return json.dumps(report, indent=2) + "\n"
+        write_out(answer["text"].encode())
 
 
 def _with_option_name(message: str) -> str:
@@ -180,7 +201,7 @@ def _with_option_name(message: str) -> str:
     name, equals, rest = message.partition(" = ")
     if not equals:
         return message
-    return f"{SHORT_NAMES.get(name, '--' + name.replace('_', '-'))} {rest}"
+    return f"{as_option(name)} {rest}"
 
 
 def _fail(code: int, message: str) -> int:

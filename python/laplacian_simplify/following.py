@@ -18,8 +18,11 @@ Progress = Callable[[int, str], None]
 _PROGRESS = re.compile(rb"LOG: \d+ (.*?)\s*\[ (\d+)% \]")
 
 
-def in_a_process(arguments: dict[str, Any], scratch: str, function: str = "run") -> dict[str, Any]:
-    """Runs a function of ``work`` in a process of its own, with a folder for scratch files; a terminal shows progress.
+def in_a_process(
+    arguments: dict[str, Any], scratch: str, function: str = "run", *, quiet: bool = False
+) -> dict[str, Any]:
+    """Runs a function of ``work`` in a process of its own, with a folder for scratch files; a terminal shows progress
+    but where it is to be quiet.
 
     Raises:
         MeshFileError: the process crashed; the sentence says over which file.
@@ -28,7 +31,7 @@ def in_a_process(arguments: dict[str, Any], scratch: str, function: str = "run")
     """
     child = Child(f"work:{function}", arguments, log=True, standard_input=True, scratch=scratch)
     try:
-        with _bar() as progress, signals_let_in():
+        with _bar(quiet) as progress, signals_let_in():
             _follow(child, progress)
         answer: dict[str, Any] = child.answer()
     except ChildCrashError as crash:
@@ -53,9 +56,9 @@ def on_a_terminal() -> bool:
 
 
 @contextmanager
-def _bar() -> Iterator[Progress]:
+def _bar(quiet: bool) -> Iterator[Progress]:
     """Shows progress where standard error is a terminal."""
-    if not on_a_terminal():
+    if quiet or not on_a_terminal():
         yield lambda *_: None
         return
     from tqdm import tqdm

@@ -32,7 +32,7 @@ def reports_of_levels(returned: Mapping[str, Any], mesh_set: "pymeshlab.MeshSet"
     """The reports of a run that returned a list under every name, NaN where a level has no number."""
     results = filter_named("meshing_decimation_laplacian_quadric_edge_collapse").results
     kinds = {"boolean": bool, "integer": int, "real": float}
-    kind = {row.id: kinds[row.type] for row in results}
+    kind = {row.id: kinds[row.type] for row in results if row.type in kinds}  # levels return no lists of lists
     lists = {name: _as_list(numbers) for name, numbers in returned.items()}
     count = len(lists["faces"])
     last = mesh_set.current_mesh_id()  # that of the last level; those before it came in a row

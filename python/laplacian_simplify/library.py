@@ -1,100 +1,24 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The C function on plain arrays, by ctypes: other Python threads run in the meantime, and no MeshLab is loaded.
-
-``python/library/simplify_arrays.h`` says what the fields of the structures mean.
-"""
+"""The C function on plain arrays, by ctypes: other Python threads run in the meantime, and no MeshLab is loaded."""
 
 import ctypes
 from collections.abc import Callable, Mapping
-from ctypes import c_char, c_char_p, c_double, c_int32, c_uint32, c_uint64, c_void_p
+from ctypes import c_int32
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
+
+from .library_structures import CALLBACK, MeshStructure, ParametersStructure, ResultStructure
 
 Progress = Callable[[int, str], object]
 """Called with percent and stage; False asks the run to stop."""
 
 _DONE, _REFUSED, _NO_MEMORY = 0, 1, 2
 _CANCELLED = 3
-_CALLBACK = ctypes.CFUNCTYPE(c_int32, c_int32, c_char_p)
-
-
-class _Mesh(ctypes.Structure):
-    _fields_: ClassVar = [
-        ("positions", c_void_p),
-        ("faces", c_void_p),
-        ("vertex_count", c_uint64),
-        ("face_count", c_uint64),
-        ("double_positions", c_int32),
-        ("index_bytes", c_int32),
-        ("fixed_vertices", c_void_p),
-        ("shared_seams", c_int32),
-        ("selected_faces", c_void_p),
-        ("stored_quality", c_void_p),
-    ]
-
-
-class _Parameters(ctypes.Structure):
-    _fields_: ClassVar = [
-        ("target_faces", c_uint64),
-        ("max_error", c_double),
-        ("feature_weight", c_double),
-        ("effort", c_int32),
-        ("descriptor", c_int32),
-        ("boundary", c_int32),
-        ("preserve_topology", c_int32),
-        ("avoid_self_intersections", c_int32),
-        ("clean_input", c_int32),
-        ("weld_distance", c_double),
-        ("measure_error", c_int32),
-        ("threads", c_int32),
-        ("cost_limit", c_double),
-        ("descriptor_scale", c_double),
-        ("progress", _CALLBACK),
-    ]
-
-
-class _Step(ctypes.Structure):
-    _fields_: ClassVar = [("cost", c_double), ("faces", c_uint64)]
-
-
-class _Result(ctypes.Structure):
-    _fields_: ClassVar = [
-        ("vertex_count", c_uint64),
-        ("face_count", c_uint64),
-        ("positions", ctypes.POINTER(c_double)),
-        ("faces", ctypes.POINTER(c_uint32)),
-        ("vertex_origin", ctypes.POINTER(c_uint32)),
-        ("face_origin", ctypes.POINTER(c_uint32)),
-        ("target_reached", c_int32),
-        ("stop_reason", c_int32),
-        ("non_manifold_edges", c_uint64),
-        ("boundary_edges", c_uint64),
-        ("has_distances", c_int32),
-        ("hausdorff", c_double),
-        ("rms", c_double),
-        ("feature_rms", c_double),
-        ("folded", c_uint64),
-        ("has_self_intersections", c_int32),
-        ("self_intersections", c_uint64),
-        ("has_self_intersections_before", c_int32),
-        ("self_intersections_before", c_uint64),
-        ("has_cleaning", c_int32),
-        ("welded_vertices", c_uint64),
-        ("dropped_faces", c_uint64),
-        ("has_certificate", c_int32),
-        ("certified_error", c_double),
-        ("seconds", c_double),
-        ("step_count", c_uint64),
-        ("steps", ctypes.POINTER(_Step)),
-        ("descriptor_scale", c_double),
-        ("storage", c_void_p),
-        ("message", c_char * 512),
-    ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,8 +35,27 @@ class MeshArrays:
     """bool, (m,): the faces that are simplified."""
     quality: np.ndarray[Any, Any] | None = None
     """float64, (n,)."""
+    corner_values: np.ndarray[Any, Any] | None = None
+    """float32, (m, 3, k)."""
+    channel_kinds: np.ndarray[Any, Any] | None = None
+    """int32, (k,)."""
+    labels: np.ndarray[Any, Any] | None = None
+    """int32, (m,)."""
     shared_seams: bool = False
     """Locked vertices are those of other meshes, too: no new edge joins two of them, as another mesh might make it."""
+
+
+@dataclass(frozen=True)
+class AttributeNumbers:
+    """What the C function says of the attributes."""
+
+    rms: list[float]
+    """Of every channel; empty where it was not measured, as the next."""
+    textures: list[tuple[float, float]]
+    """The texture deviation of every pair of texture coordinates, rms and largest, in percent of the diagonal."""
+    charts: int
+    turned_faces: int
+    held_faces: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +66,11 @@ class Outcome:
     faces: np.ndarray[Any, Any]
     vertex_origin: np.ndarray[Any, Any]
     face_origin: np.ndarray[Any, Any]
+    corner_values: np.ndarray[Any, Any] | None
+    """float32, (m, 3, k); None where there were none, and where nothing was done."""
     report: dict[str, Any]
+    attributes: AttributeNumbers | None
+    """None where there were none, and where nothing was done."""
     steps: tuple[tuple[float, int], ...]
     """After every sweep what a collapse cost at most, in length to the fourth power, and how many faces were left."""
     descriptor_scale: float
@@ -143,7 +90,7 @@ def run(mesh: MeshArrays, parameters: Mapping[str, float], progress: Progress | 
         ValueError: mesh or parameters cannot be used; the text says why.
         MemoryError: there is not enough memory.
     """
-    result = _Result()
+    result = ResultStructure()
     caught: list[BaseException] = []
     asked_to_stop = False
 
@@ -155,7 +102,7 @@ def run(mesh: MeshArrays, parameters: Mapping[str, float], progress: Progress | 
             caught.append(error)
         return not (asked_to_stop or caught)
 
-    given = _Parameters(**parameters, progress=_CALLBACK(call))
+    given = ParametersStructure(**parameters, progress=CALLBACK(call))
     library = _library()
     try:
         status = library.laplacian_simplify_arrays(
@@ -175,11 +122,11 @@ def _is_false(answer: object) -> bool:
     return answer is False or (isinstance(answer, np.bool_) and not answer)
 
 
-def _as_given(mesh: MeshArrays) -> _Mesh:
+def _as_given(mesh: MeshArrays) -> MeshStructure:
     def place(array: np.ndarray[Any, Any] | None) -> int | None:
         return None if array is None else array.ctypes.data
 
-    return _Mesh(
+    return MeshStructure(
         positions=place(mesh.vertices),
         faces=place(mesh.faces),
         vertex_count=len(mesh.vertices),
@@ -189,11 +136,15 @@ def _as_given(mesh: MeshArrays) -> _Mesh:
         fixed_vertices=place(mesh.locked),
         selected_faces=place(mesh.selected),
         stored_quality=place(mesh.quality),
+        corner_values=place(mesh.corner_values),
+        channel_kinds=place(mesh.channel_kinds),
+        channel_count=0 if mesh.channel_kinds is None else len(mesh.channel_kinds),
+        face_labels=place(mesh.labels),
         shared_seams=mesh.shared_seams,
     )
 
 
-def _raise_failure(status: int, result: _Result) -> None:
+def _raise_failure(status: int, result: ResultStructure) -> None:
     message = result.message.decode()
     if status == _REFUSED:
         raise ValueError(message)
@@ -203,7 +154,7 @@ def _raise_failure(status: int, result: _Result) -> None:
         raise RuntimeError(message)
 
 
-def _outcome(mesh: MeshArrays, result: _Result) -> Outcome:
+def _outcome(mesh: MeshArrays, result: ResultStructure) -> Outcome:
     cancelled = result.stop_reason == _CANCELLED
     report: dict[str, Any] = {
         "faces_before": len(mesh.faces),
@@ -225,9 +176,29 @@ def _outcome(mesh: MeshArrays, result: _Result) -> Outcome:
         _copied(result.faces, (result.face_count, 3), mesh.faces.dtype),
         _copied(result.vertex_origin, (result.vertex_count,), np.intp),
         _copied(result.face_origin, (result.face_count,), np.intp),
+        _corner_values(mesh, result),
         report,
+        _attribute_numbers(result),
         tuple((result.steps[k].cost, result.steps[k].faces) for k in range(result.step_count)),
         result.descriptor_scale,
+    )
+
+
+def _corner_values(mesh: MeshArrays, result: ResultStructure) -> np.ndarray[Any, Any] | None:
+    if mesh.channel_kinds is None or not result.corner_values:
+        return None
+    return _copied(result.corner_values, (result.face_count, 3, len(mesh.channel_kinds)), np.float32)
+
+
+def _attribute_numbers(result: ResultStructure) -> AttributeNumbers | None:
+    if not result.has_attributes:
+        return None
+    return AttributeNumbers(
+        [result.attribute_rms[k] for k in range(result.rms_count)],
+        [(result.textures[k].rms, result.textures[k].largest) for k in range(result.texture_count)],
+        result.charts,
+        result.turned_faces,
+        result.held_faces,
     )
 
 
@@ -241,11 +212,11 @@ def _copied(first: Any, shape: tuple[int, ...], dtype: Any) -> np.ndarray[Any, A
 def _library() -> ctypes.CDLL:
     library = ctypes.CDLL(str(Path(__file__).parent / "liblaplacian_simplify.so"))
     library.laplacian_simplify_arrays.argtypes = [
-        ctypes.POINTER(_Mesh),
-        ctypes.POINTER(_Parameters),
-        ctypes.POINTER(_Result),
+        ctypes.POINTER(MeshStructure),
+        ctypes.POINTER(ParametersStructure),
+        ctypes.POINTER(ResultStructure),
     ]
     library.laplacian_simplify_arrays.restype = c_int32
-    library.laplacian_simplify_release.argtypes = [ctypes.POINTER(_Result)]
+    library.laplacian_simplify_release.argtypes = [ctypes.POINTER(ResultStructure)]
     library.laplacian_simplify_release.restype = None
     return library

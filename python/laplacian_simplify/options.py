@@ -3,6 +3,7 @@
 """Options of the command, made from the plugin's tables of parameters."""
 
 import argparse
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NoReturn
@@ -49,8 +50,27 @@ _COMMANDS = (
     Command("smooth", "apply_coord_umbrella_smoothing", functions.smooth),
 )
 
+_EXAMPLES = {
+    "simplify": (
+        "%(prog)s bunny.ply small.ply --percent 10",
+        "%(prog)s scan.obj scan_small.obj --faces 20000 --effort best",
+        "%(prog)s part.stl part_small.ply --max-error 0.1%% --json report.json",
+        "%(prog)s bunny.ply --in-place --percent 10 --strict --quiet",
+    ),
+    "descriptor": ("%(prog)s bunny.ply descriptor.ply --rescale",),
+    "classify": ("%(prog)s bracket.ply features.ply --classes 3",),
+    "smooth": ("%(prog)s scan.ply smooth.ply --steps 5 --boundary fixed",),
+    "lod": (
+        "%(prog)s part.ply 'part_{percent}.ply' --percents 50,25,10",
+        "%(prog)s part.ply 'part_{level}.ply' --max-errors 0.01%%,0.05%%",
+    ),
+    "batch": ("%(prog)s scans small --percent 10", "%(prog)s 'scans/**/*.ply' small --faces 5000 --workers 4"),
+}
+
 SHORT_NAMES = {"target_faces": "--faces", "target_percent": "--percent"}
 _SHORT_HELP = {"target_faces": "number of faces to keep", "target_percent": "percent of the faces to keep"}
+PROGRAM_NAME = "LAPLACIAN_SIMPLIFY_PROGRAM"
+"""Environment variable: how help and errors of simplify name the command, where a script runs it."""
 WITHOUT_OPTION = ("new_layer", "selected_only", "lock_selected_vertices")  # one mesh in, one out, without a selection
 
 
@@ -77,6 +97,34 @@ class ShowVersion(argparse.Action):
         parser.exit(0)
 
 
+def examples(name: str) -> dict[str, Any]:
+    """Of a subcommand, for its help, which keeps their lines."""
+    lines = "".join(f"\n  {line}" for line in _EXAMPLES[name])
+    return {"epilog": "examples:" + lines, "formatter_class": argparse.RawDescriptionHelpFormatter}
+
+
+def as_option(name: str, value: object = None) -> str:
+    """A parameter, or it with its value, as the command has it."""
+    option = SHORT_NAMES.get(name, "--" + name.replace("_", "-"))
+    if isinstance(value, bool):
+        return option if value else option.replace("--", "--no-", 1)
+    if isinstance(value, float):
+        value = f"{value:g}"
+    return option if value is None else f"{option} {value}"
+
+
+class PrintCompletion(argparse.Action):
+    """Prints the completion for a shell, which the package shtab makes."""
+
+    def __call__(self, parser: argparse.ArgumentParser, _: object, shell: object, __: str | None = None) -> NoReturn:
+        try:
+            from shtab import complete
+        except ImportError:
+            parser.error("completion needs the package shtab: python -m pip install laplacian-simplify[completion]")
+        show(complete(parser, shell=str(shell)))
+        parser.exit(0)
+
+
 def make_parser() -> argparse.ArgumentParser:
     """The parser of the whole command; the chosen subcommand is in ``command``."""
     parser = OneLineParser(
@@ -85,14 +133,21 @@ def make_parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     parser.add_argument("--version", action=ShowVersion, nargs=0, help="show the version and exit")
+    parser.add_argument(
+        "--print-completion", action=PrintCompletion, choices=("bash", "zsh", "tcsh"), help="completion for a shell"
+    )
     subparsers = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=OneLineParser)
     for command in commands():
         row = command.filter
-        subparser = subparsers.add_parser(command.name, help=row.summary, description=row.summary, allow_abbrev=False)
+        subparser = subparsers.add_parser(
+            command.name, help=row.summary, description=row.summary, allow_abbrev=False, **examples(command.name)
+        )
+        if command.name == "simplify":
+            subparser.prog = os.environ.get(PROGRAM_NAME, subparser.prog)
         _add_options(subparser, command, row)
         subparser.set_defaults(command=command, batch=False)
         if command.name == "simplify":
-            batch = add_batch_parser(subparsers)
+            batch = add_batch_parser(subparsers, **examples("batch"))
             add_parameters(batch, command, row)
             batch.set_defaults(command=command)
     return parser
@@ -110,6 +165,15 @@ def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter)
             "--output-format", choices=("ply", "stl"), help="format of a mesh on standard output. Default: ply."
         )
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
+    parser.add_argument(
+        "-q", "--quiet", action="store_true", help="show neither report nor progress, only what is wrong"
+    )
+    if row.has("target_faces"):
+        parser.add_argument(
+            "--strict",
+            action="store_true",
+            help="a target that is not reached is an error: exit code 4, nothing written",
+        )
     add_parameters(parser, command, row)
 
 
@@ -129,7 +193,7 @@ def add_parameters(parser: argparse.ArgumentParser, command: Command, row: Filte
 
 
 def _add_option(group: argparse._ActionsContainer, parameter: Parameter, default: object) -> None:
-    name = SHORT_NAMES.get(parameter.id, "--" + parameter.id.replace("_", "-"))
+    name = as_option(parameter.id)
     common: dict[str, Any] = {"dest": parameter.id, "default": default, "help": _help(parameter, default)}
     if parameter.type == "boolean":
         group.add_argument(name, action=argparse.BooleanOptionalAction, **common)

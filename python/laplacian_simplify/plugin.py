@@ -41,7 +41,8 @@ def check_pymeshlab(installed: str) -> None:
 
 
 def load() -> None:
-    """Loads the plugin into pymeshlab, so that ``mesh_set.apply_filter`` knows its filters.
+    """Loads the plugin into pymeshlab, so that ``mesh_set.apply_filter`` knows its filters, and mesh sets have them as
+    methods, as pymeshlab's own: what MeshLab copies as a PyMeshLab call runs.
 
     A second call does nothing. Every function of this package calls it.
 
@@ -66,3 +67,6 @@ def load() -> None:
     with turn():
         if filters()[0].python_name not in pymeshlab.filter_list():
             pymeshlab.load_plugin(str(plugin_path()))
+        for row in filters():
+            if not hasattr(pymeshlab.MeshSet, row.python_name):
+                setattr(pymeshlab.MeshSet, row.python_name, pymeshlab.bind_function(row.python_name))

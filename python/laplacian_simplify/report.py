@@ -7,12 +7,13 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 
 from .summary import summary_lines
 
 if TYPE_CHECKING:
     import pymeshlab
+    from typing_extensions import Self  # in typing from Python 3.11 on
 
 STOP_REASONS = (
     "target reached",
@@ -42,7 +43,7 @@ class Report:
     """Time that the filter took."""
 
     @classmethod
-    def of(cls, returned: Mapping[str, Any], mesh_set: "pymeshlab.MeshSet | None" = None) -> Self:
+    def of(cls, returned: Mapping[str, Any], mesh_set: "pymeshlab.MeshSet | None" = None) -> "Self":
         """The report of a run that returned the map and left its result in the mesh set, if there is one."""
         report = cls(**{name: _plain(value) for name, value in returned.items()})
         if mesh_set is not None:
@@ -138,12 +139,17 @@ class DecimationReport(Report):
     dropped_faces: int | None = None
     """Degenerate and duplicate faces that were left out."""
     certified_error: float | None = None
-    attribute_rms: tuple[float, ...] | None = None
-    """Of every attribute that was kept, in its own unit (colors 0 to 255); None without attributes, as the next."""
+    attribute_rms: dict[str, float] | tuple[float, ...] | None = None
+    """Of each attribute by its name, in its own unit, colors in 0 to 255: the root mean square difference between
+    points of either surface and the closest of the other; None where there were none, or they were not measured. Of
+    mesh sets and files the same without names, in the order of the plugin's log."""
     texture_deviation: float | None = None
+    """How far points are from where the original has their texture coordinates, root mean square."""
     largest_texture_deviation: float | None = None
     turned_texture_faces: int | None = None
+    """Faces whose texture has turned over against what most of their chart has."""
     faces_held_by_seams: int | None = None
+    """Faces that seams keep beyond the target."""
 
     def __post_init__(self) -> None:
         self.__dict__["stop_reason"] = StopReason(self.stop_reason)

@@ -3,10 +3,12 @@
 """How a filter of the plugin is run on a mesh set or a file."""
 
 import sys
+import warnings
 from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
+from .answers import fraction_note
 from .files.errors import printable
 from .plugin import load
 from .report import Report
@@ -64,7 +66,7 @@ def is_mesh_source(mesh: object) -> bool:
 
 
 def with_one_target(filter_name: str, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The checked values of a decimation.
+    """The checked values of a decimation. Warns the caller's caller of a percentage that may be meant as a fraction.
 
     Raises:
         TypeError, ValueError: as checked, and where there is no target, or two.
@@ -82,6 +84,8 @@ def with_one_target(filter_name: str, values: Mapping[str, Any]) -> dict[str, An
         raise ValueError(f"target_faces = {faces} and target_percent = {percent:g} are two targets: give one of them")
     if percent == 0:  # it would tell the filter to use its own target_faces
         raise ValueError("target_percent = 0 is outside (0, 100] (percent of the faces)")
+    if note := fraction_note(percent or 0):
+        warnings.warn(note, stacklevel=3)
     return numbers
 
 

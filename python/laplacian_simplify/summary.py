@@ -5,20 +5,27 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .answers import Spelling, as_keyword, why_missed
 
-def summary(source: str, target: str, report: Mapping[str, Any]) -> str:
-    """What was done with which result."""
-    return "\n".join([f"{source} -> {target} in {report['seconds']:.2f} s", *summary_lines(report)])
+
+def summary(source: str, target: str, report: Mapping[str, Any], spelled: Spelling) -> str:
+    """What was done with which result; remedies spell parameters as the caller does."""
+    return "\n".join([f"{source} -> {target} in {report['seconds']:.2f} s", *summary_lines(report, spelled)])
 
 
 _ERROR_BOUND = 1
 """The stop reason of a run that went as far as it was allowed to: no target was missed."""
 
 
-def summary_lines(report: Mapping[str, Any]) -> list[str]:
+def missed(report: Mapping[str, Any]) -> bool:
+    """Whether a decimation ended above its target although no error bound stopped it."""
+    return "target_reached" in report and not report["target_reached"] and report["stop_reason"] != _ERROR_BOUND
+
+
+def summary_lines(report: Mapping[str, Any], spelled: Spelling = as_keyword) -> list[str]:
     """The numbers of a report."""
     if "faces_before" in report:
-        return _decimation(report)
+        return _decimation(report, spelled)
     if "centers" in report:
         return _classification(report)
     if "percentile_99_9" in report:
@@ -27,17 +34,19 @@ def summary_lines(report: Mapping[str, Any]) -> list[str]:
     return [f"moved     {moved}, at most {report['largest_movement']:.3g} % of the bounding box's diagonal"]
 
 
-def _decimation(report: Mapping[str, Any]) -> list[str]:
+def _decimation(report: Mapping[str, Any], spelled: Spelling) -> list[str]:
     before, after = report["faces_before"], report["faces"]
     outcome = report["stop_reason_text"]
-    if not report["target_reached"] and report["stop_reason"] != _ERROR_BOUND:
-        outcome = f"target NOT reached: {outcome}"
+    if missed(report):
+        outcome = f"target NOT reached: {why_missed(report, spelled)}"
     lines = [f"faces     {before:,} -> {after:,} ({100 * after / before:.3g} %), {outcome}"]
     if "rms" in report:
         lines.append(
             f"distance  rms {report['rms']:.3g} %, at features {report['feature_rms']:.3g} %, "
             f"largest {report['hausdorff']:.3g} % of the bounding box's diagonal"
         )
+    if "attribute_rms" in report:
+        lines.append("values    " + _attributes(report))
     if report.get("welded_vertices") or report.get("dropped_faces"):
         welded = _count(report["welded_vertices"], "vertex", "vertices")
         dropped = _count(report["dropped_faces"], "degenerate or duplicate face")
@@ -55,6 +64,22 @@ def _decimation(report: Mapping[str, Any]) -> list[str]:
     if "folded" in report:
         checks.append(_count(report["folded"], "folded face"))
     return [*lines, "mesh      " + ", ".join(checks)]
+
+
+def _attributes(report: Mapping[str, Any]) -> str:
+    given = report["attribute_rms"]
+    if isinstance(given, Mapping):
+        parts = [f"{name} rms {rms:.3g}" for name, rms in given.items()]
+    else:  # of the host, which names them in its log
+        parts = [f"rms {_list(given, '.3g')}"]
+    if "texture_deviation" in report:
+        parts.append(
+            f"texture off by rms {report['texture_deviation']:.3g} %, "
+            f"largest {report['largest_texture_deviation']:.3g} % of the bounding box's diagonal"
+        )
+    if report.get("turned_texture_faces"):
+        parts.append(_count(report["turned_texture_faces"], "face") + " with turned texture")
+    return ", ".join(parts)
 
 
 def _classification(report: Mapping[str, Any]) -> list[str]:

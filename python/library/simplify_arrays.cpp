@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,144 +16,25 @@
 #include <utility>
 #include <vector>
 
+#include "array_input.h"
 #include "vcg_ext/core/base/parallel.h"
-#include "vcg_ext/core/descriptor/one_ring_descriptors.h"
-#include "vcg_ext/core/descriptor/rescale.h"
 #include "vcg_ext/core/simplify.h"
 
 namespace
 {
 
+using array_library::Input;
 using Mesh = laplacian_simplify_mesh;
 using Parameters = laplacian_simplify_parameters;
 using Result = laplacian_simplify_result;
-
-/// Coordinates beyond this are refused, as the filters refuse them.
-constexpr double kMaxCoordinate = 1e18;
 
 /// What the arrays of a result point to.
 struct Storage {
     vcg_ext::DecimatedMesh mesh;
     std::vector<laplacian_simplify_step> steps;
+    vcg_ext::AttributeReport attributes;
+    std::vector<laplacian_simplify_texture> textures;
 };
-
-/// The caller's mesh, checked, as the core reads it.
-struct Input {
-    vcg_ext::MeshView view;
-    std::vector<std::uint32_t> triangles; ///< where the caller's indices are not 32 bits long
-    std::vector<std::uint8_t> onFace;     ///< one a vertex
-    std::vector<std::uint8_t> fixed;      ///< empty: the caller's
-    std::vector<float> guidance;          ///< empty: the core computes the Laplacian descriptor
-};
-
-std::invalid_argument BadIndices(std::size_t bad, std::size_t first, const Mesh& mesh)
-{
-    return std::invalid_argument("the vertex indices of " + std::to_string(bad) + " of " +
-                                 std::to_string(mesh.face_count) + " faces are outside [0, " +
-                                 std::to_string(mesh.vertex_count) + "); the first of them is face " +
-                                 std::to_string(first));
-}
-
-/// Checks every index and marks the vertices that are on faces.
-template <class Index>
-void CheckFaces(const Mesh& mesh, Input& input)
-{
-    const auto* indices = static_cast<const Index*>(mesh.faces);
-    input.onFace.assign(mesh.vertex_count, 0);
-    std::size_t bad = 0, first = 0;
-    for (std::size_t f = 0; f < mesh.face_count; ++f) {
-        const Index* corners = indices + 3 * f;
-        if (corners[0] < mesh.vertex_count && corners[1] < mesh.vertex_count &&
-            corners[2] < mesh.vertex_count)
-            for (std::size_t k = 0; k < 3; ++k) input.onFace[corners[k]] = 1;
-        else if (bad++ == 0)
-            first = f;
-    }
-    if (bad > 0) throw BadIndices(bad, first, mesh);
-}
-
-void CheckPositions(const vcg_ext::MeshView& view)
-{
-    std::size_t bad = 0;
-    for (std::size_t v = 0; v < view.vertexCount; ++v) {
-        const std::array<double, 3> p = view.Position(v);
-        const auto usable = [](double x) { return std::abs(x) <= kMaxCoordinate; }; // NaN is not
-        bad += !(usable(p[0]) && usable(p[1]) && usable(p[2]));
-    }
-    if (bad > 0)
-        throw std::invalid_argument("the coordinates of " + std::to_string(bad) + " of " +
-                                    std::to_string(view.vertexCount) +
-                                    " vertices are not finite or larger than 1e18");
-}
-
-/// Vertices of faces that are not selected may neither move nor go.
-void FixOutsideSelection(const Mesh& mesh, Input& input)
-{
-    input.fixed.assign(mesh.vertex_count, 0);
-    if (mesh.fixed_vertices) std::copy_n(mesh.fixed_vertices, mesh.vertex_count, input.fixed.begin());
-    for (std::size_t f = 0; f < mesh.face_count; ++f) {
-        if (mesh.selected_faces[f]) continue;
-        for (std::size_t k = 0; k < 3; ++k) input.fixed[input.view.triangles[3 * f + k]] = 1;
-    }
-    input.view.fixedVertices = input.fixed.data();
-}
-
-void TakeFaces(const Mesh& mesh, Input& input)
-{
-    vcg_ext::MeshView& view = input.view;
-    if (mesh.index_bytes == 8) {
-        CheckFaces<std::uint64_t>(mesh, input);
-        const auto* indices = static_cast<const std::uint64_t*>(mesh.faces);
-        input.triangles.reserve(3 * mesh.face_count);
-        for (std::size_t k = 0; k < 3 * mesh.face_count; ++k)
-            input.triangles.push_back(static_cast<std::uint32_t>(indices[k]));
-        view.triangles = input.triangles.data();
-    } else {
-        CheckFaces<std::uint32_t>(mesh, input);
-        view.triangles = static_cast<const std::uint32_t*>(mesh.faces);
-    }
-    view.faceCount = mesh.face_count;
-}
-
-std::vector<double> DescriptorOf(const Mesh& mesh, const vcg_ext::MeshView& view,
-                                 const Parameters& parameters)
-{
-    switch (parameters.descriptor) {
-    case LAPLACIAN_SIMPLIFY_NORMALIZED_UMBRELLA:
-        return vcg_ext::OneRingDescriptor<vcg_ext::NormalizedUmbrellaFold>(view, parameters.threads);
-    case LAPLACIAN_SIMPLIFY_CURVATURE_ESTIMATION:
-        return vcg_ext::OneRingDescriptor<vcg_ext::CurvatureEstimationFold>(view, parameters.threads);
-    case LAPLACIAN_SIMPLIFY_STORED_QUALITY:
-        if (mesh.stored_quality) return {mesh.stored_quality, mesh.stored_quality + mesh.vertex_count};
-        break;
-    default:
-        break;
-    }
-    throw std::invalid_argument("descriptor = " + std::to_string(parameters.descriptor) +
-                                " cannot be computed here");
-}
-
-/// Reads and checks the caller's mesh into \p input, which does not move afterwards: its view points into it.
-void Take(const Mesh& mesh, const Parameters& parameters, Input& input)
-{
-    vcg_ext::MeshView& view = input.view;
-    if (mesh.face_count == 0)
-        throw std::invalid_argument("the mesh has no faces (" + std::to_string(mesh.vertex_count) +
-                                    " vertices)");
-    view.positions = mesh.positions;
-    view.doublePositions = mesh.double_positions != 0;
-    view.positionStride = 3 * (view.doublePositions ? sizeof(double) : sizeof(float));
-    view.vertexCount = mesh.vertex_count;
-    view.fixedVertices = mesh.fixed_vertices;
-    view.sharedSeams = mesh.shared_seams != 0;
-    TakeFaces(mesh, input);
-    CheckPositions(view);
-    if (mesh.selected_faces) FixOutsideSelection(mesh, input);
-    if (parameters.descriptor == LAPLACIAN_SIMPLIFY_LAPLACIAN) return;
-    for (const double value : vcg_ext::RescaledToUnit(DescriptorOf(mesh, view, parameters)))
-        input.guidance.push_back(static_cast<float>(value));
-    view.guidance = input.guidance.data();
-}
 
 vcg_ext::DecimationParameters ToCore(const Parameters& given)
 {
@@ -164,6 +44,8 @@ vcg_ext::DecimationParameters ToCore(const Parameters& given)
     parameters.featureWeight = given.feature_weight;
     parameters.effort = static_cast<vcg_ext::Effort>(given.effort);
     parameters.boundary = static_cast<vcg_ext::Boundary>(given.boundary);
+    parameters.attributeWeight = given.attribute_weight;
+    parameters.seams = static_cast<vcg_ext::Seams>(given.seams);
     parameters.preserveTopology = given.preserve_topology != 0;
     parameters.avoidSelfIntersections = given.avoid_self_intersections != 0;
     parameters.cleanInput = given.clean_input != 0;
@@ -252,9 +134,27 @@ void Report(const vcg_ext::DecimationReport& report, Result& result)
     result.folded = report.distances->folded;
 }
 
+/// What has become of the attributes. \p storage holds the lists
+void ReportAttributes(vcg_ext::AttributeReport report, Storage& storage, Result& result)
+{
+    storage.attributes = std::move(report);
+    const vcg_ext::AttributeReport& attributes = storage.attributes;
+    for (const auto& texture : attributes.textures)
+        storage.textures.push_back({texture.rms, texture.largest});
+    result.has_attributes = 1;
+    result.charts = attributes.charts;
+    result.turned_faces = attributes.turnedFaces;
+    result.held_faces = attributes.heldFaces;
+    result.rms_count = attributes.rms.size();
+    result.attribute_rms = attributes.rms.data();
+    result.texture_count = storage.textures.size();
+    result.textures = storage.textures.data();
+}
+
 void HandOver(vcg_ext::Simplification done, Result& result)
 {
     auto storage = std::make_unique<Storage>();
+    if (done.report.attributes) ReportAttributes(std::move(*done.report.attributes), *storage, result);
     for (const auto& step : done.report.trace.steps) storage->steps.push_back({step.cost, step.faces});
     storage->mesh = std::move(done.mesh);
     const vcg_ext::DecimatedMesh& mesh = storage->mesh;
@@ -264,6 +164,7 @@ void HandOver(vcg_ext::Simplification done, Result& result)
     if (result.face_count > 0) result.faces = mesh.triangles.front().data();
     result.vertex_origin = mesh.vertexOrigin.data();
     result.face_origin = mesh.faceOrigin.data();
+    if (!mesh.cornerValues.empty()) result.corner_values = mesh.cornerValues.data();
     result.step_count = storage->steps.size();
     result.steps = storage->steps.data();
     result.descriptor_scale = done.report.trace.descriptorScale;
@@ -278,7 +179,7 @@ void Run(const Mesh& mesh, const Parameters& given, Result& result)
     const vcg_ext::DecimationParameters parameters = ToCore(given);
     vcg_ext::CheckParameters(parameters);
     Input input;
-    Take(mesh, given, input);
+    array_library::Take(mesh, given, input);
     vcg_ext::Simplification done = mesh.face_count <= parameters.targetFaces
                                        ? Unchanged(input.view, parameters)
                                        : vcg_ext::Simplify(input.view, parameters);

@@ -24,6 +24,19 @@ struct laplacian_simplify_mesh {
     /// A byte a face, 0: keeps its vertices and stays; null: all are selected.
     const std::uint8_t* selected_faces;
     const double* stored_quality; ///< a number a vertex for LAPLACIAN_SIMPLIFY_STORED_QUALITY, else null
+    /// What the corners of faces carry, channel_count numbers a corner and three corners a face: they guide
+    /// the collapse and are transferred. Null: nothing.
+    const float* corner_values;
+    const std::int32_t* channel_kinds; ///< one a channel; may be null where there are none
+    std::uint64_t channel_count;
+    const std::int32_t* face_labels; ///< one a face: seams run between different ones; may be null
+};
+
+/// What a channel is.
+enum {
+    LAPLACIAN_SIMPLIFY_TEXTURE = 0, ///< a texture coordinate; always two in a row, u and v
+    LAPLACIAN_SIMPLIFY_COLOR = 1,   ///< a part of a color, 0..1
+    LAPLACIAN_SIMPLIFY_SCALAR = 2   ///< anything else, in its own unit
 };
 
 /// What guides the collapse; the numbers are those of the filter's parameter "descriptor". Mean and Gaussian
@@ -42,7 +55,9 @@ struct laplacian_simplify_parameters {
     double feature_weight;      ///< [0, 50]
     std::int32_t effort;        ///< 0 fast, 1 balanced, 2 best
     std::int32_t descriptor;
-    std::int32_t boundary; ///< 0 free, 1 preserve, 2 lock
+    std::int32_t boundary;   ///< 0 free, 1 preserve, 2 lock
+    double attribute_weight; ///< [0, 100]; 0: attributes are transferred and guide nothing
+    std::int32_t seams;      ///< 0 keep, 1 ignore
     std::int32_t preserve_topology;
     std::int32_t avoid_self_intersections; ///< 1: no more faces cross than before
     std::int32_t clean_input; ///< 1: weld open borders, drop degenerate and duplicate faces, loose vertices
@@ -61,6 +76,13 @@ struct laplacian_simplify_step {
     std::uint64_t faces; ///< that were left
 };
 
+/// How far points are from where the original has their texture coordinates, percent of the bounding box's
+/// diagonal.
+struct laplacian_simplify_texture {
+    double rms;
+    double largest;
+};
+
 /// The outcome. The arrays belong to \c storage: laplacian_simplify_release frees them.
 struct laplacian_simplify_result {
     std::uint64_t vertex_count; ///< vertices of no face stay where they are, without clean_input
@@ -70,8 +92,8 @@ struct laplacian_simplify_result {
     const std::uint32_t* vertex_origin; ///< the input vertex that each vertex was, ascending
     const std::uint32_t* face_origin;   ///< the input face that each face was, ascending
     std::int32_t target_reached;
-    std::int32_t
-        stop_reason; ///< 0 target, 1 error bound, 2 no legal collapse, 3 canceled: there are no arrays
+    /// 0 target, 1 error bound, 2 no legal collapse, 3 canceled: there are no arrays, 4 seams
+    std::int32_t stop_reason;
     std::uint64_t non_manifold_edges;
     std::uint64_t boundary_edges;
     std::int32_t has_distances; ///< 0: the four below were not measured
@@ -88,6 +110,17 @@ struct laplacian_simplify_result {
     std::uint64_t dropped_faces;
     std::int32_t has_certificate; ///< 0: there was no bound, or it could not be proven
     double certified_error;       ///< percent of the bounding box's diagonal
+    /// As those of the mesh. Null where it had none, and where nothing was simplified: then they are what
+    /// face_origin had.
+    const float* corner_values;
+    std::int32_t has_attributes; ///< 0: there were none, or nothing was simplified
+    std::uint64_t charts;        ///< of the original
+    std::uint64_t turned_faces;  ///< whose texture has turned over against what most of their chart has
+    std::uint64_t held_faces;    ///< more than the target, because seams allow no further collapse
+    std::uint64_t rms_count;     ///< 0: not measured
+    const double* attribute_rms; ///< of every channel, in its own unit
+    std::uint64_t texture_count; ///< pairs of texture coordinates; 0: not measured
+    const laplacian_simplify_texture* textures;
     double seconds;
     std::uint64_t step_count; ///< 0 where nothing had to be done
     const laplacian_simplify_step* steps;

@@ -149,7 +149,8 @@ def test_json_file(tmp_path: Path) -> None:
     report = tmp_path / "report.json"
     done = run_command("descriptor", FLANGE, tmp_path / "out.ply", "--json", report)
     assert done.returncode == 0, done.stderr
-    assert set(json.loads(report.read_text())) == {"minimum", "maximum", "mean", "percentile_99_9", "seconds"}
+    numbers = {"minimum", "maximum", "mean", "percentile_99_9", "seconds"}
+    assert set(json.loads(report.read_text())) == numbers | {"input", "output", "parameters", "units", "version"}
 
 
 def test_unwritable_report_leaves_no_mesh(tmp_path: Path) -> None:

@@ -5,17 +5,17 @@
 import subprocess
 import sys
 import sysconfig
-import tomllib
 import zipfile
 from importlib.metadata import requires
 from pathlib import Path
 
 import pymeshlab
 import pytest
+from conftest import SAMPLE_MESHES
 
 import laplacian_simplify as ls
 from laplacian_simplify.plugin import check_pymeshlab
-from laplacian_simplify.tables import filters
+from laplacian_simplify.tables import filter_named, filters
 
 PROJECT = Path(__file__).parents[2]
 
@@ -63,8 +63,33 @@ def test_without_pymeshlab_files_are_refused_with_the_way_out(tmp_path: Path) ->
 
 
 def test_importing_loads_nothing() -> None:
-    code = "import sys, laplacian_simplify; sys.exit('pymeshlab' in sys.modules)"
-    assert subprocess.run([sys.executable, "-P", "-c", code], check=False).returncode == 0
+    """Nothing that takes its time: the package alone is ready at once."""
+    slow = {"pymeshlab", "numpy", "tqdm", "dask", "json", "ctypes", "argparse", "importlib.metadata"}
+    code = (
+        f"import sys; before = set(sys.modules); import laplacian_simplify; print({slow} & (set(sys.modules) - before))"
+    )
+    done = subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"
+
+
+def test_filters_are_methods_of_mesh_sets() -> None:
+    """As MeshLab copies a call for pymeshlab: with every parameter, and choices as their texts."""
+    ls.load()
+    for row in filters():
+        assert callable(getattr(pymeshlab.MeshSet, row.python_name))
+    ms = ls.read_mesh(SAMPLE_MESHES / "painted_box.obj")
+    row = filter_named("meshing_decimation_laplacian_quadric_edge_collapse")
+    defaults = {parameter.id: parameter.default for parameter in row.parameters if parameter.default is not None}
+    texts = {parameter.id: parameter.options[int(parameter.default or 0)].text for parameter in row.parameters
+             if parameter.options}  # fmt: skip
+    report = ms.meshing_decimation_laplacian_quadric_edge_collapse(**{**defaults, **texts, "target_faces": 300})
+    assert report["faces"] == ms.current_mesh().face_number() == 300
+    assert ms.apply_coord_umbrella_smoothing(steps=1)["moved"] > 0
+
+
+def test_the_package_has_types(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        assert "laplacian_simplify/py.typed" in archive.namelist()
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,7 @@
 import dataclasses
 import inspect
 import typing
+from collections.abc import Mapping
 from os import PathLike
 
 import numpy as np
@@ -13,8 +14,8 @@ import pytest
 from numpy.typing import NDArray
 
 import laplacian_simplify as ls
-from laplacian_simplify.filters import SimplifyOptions
 from laplacian_simplify.report import Report
+from laplacian_simplify.simplification import SimplifyOptions
 from laplacian_simplify.tables import Parameter, filter_named, filters
 
 FUNCTIONS = {
@@ -25,7 +26,19 @@ FUNCTIONS = {
     "generate_laplacian_levels_of_detail": ls.levels_of_detail,
     "apply_coord_umbrella_smoothing": ls.smooth,
 }
-NOT_IN_THE_TABLES = {"mesh", "faces", "selected", "locked", "quality", "progress", "return_result"}  # arrays' own
+NOT_IN_THE_TABLES = {  # arrays' own
+    "mesh",
+    "faces",
+    "selected",
+    "locked",
+    "quality",
+    "vertex_attributes",
+    "corner_attributes",
+    "face_labels",
+    "attribute_kinds",
+    "progress",
+    "return_result",
+}
 ROWS = [
     pytest.param(row, parameter, id=f"{row.name}: {parameter.id}") for row in filters() for parameter in row.parameters
 ]
@@ -61,7 +74,14 @@ def test_every_parameter_is_documented(row) -> None:
 
 @pytest.mark.parametrize(("row", "parameter"), ROWS)
 def test_hints_name_the_type_and_the_choices(row, parameter: Parameter) -> None:
-    names = {"pymeshlab": pymeshlab, "PathLike": PathLike, "np": np, "NDArray": NDArray, "Any": typing.Any}
+    names = {
+        "Mapping": Mapping,
+        "pymeshlab": pymeshlab,
+        "PathLike": PathLike,
+        "np": np,
+        "NDArray": NDArray,
+        "Any": typing.Any,
+    }
     hints = typing.get_type_hints(FUNCTIONS[row.python_name], names)
     hint = str(hints[parameter.id])
     expected = {"boolean": "bool", "integer": "int", "real": "float", "choice": "int", "numbers": "float"}[

@@ -4,14 +4,17 @@
 
 import os
 from pathlib import Path
-from typing import Literal, Unpack
+from typing import TYPE_CHECKING, Literal
 
 from ..files.output_formats import OUTPUT_FORMATS
-from ..filters import FileOptions
 from ..running import with_one_target
+from ..simplification import FileOptions
 from .arguments import bytes_of
 from .command import progress as shown_progress
 from .runs import BatchReport, BatchRequest, Finished, simplify_folder
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack  # in typing from Python 3.11 on
 
 
 def simplify_many(
@@ -25,7 +28,7 @@ def simplify_many(
     timeout: float = 600,
     retry_refused: bool = False,
     progress: Finished | Literal[True] | None = None,
-    **options: Unpack[FileOptions],
+    **options: "Unpack[FileOptions]",
 ) -> BatchReport:
     """Simplifies all meshes of a folder, several at a time; needs ``pip install laplacian-simplify[batch]``.
 

@@ -18,10 +18,10 @@ _SIZE = re.compile(r"(\d+(?:\.\d+)?)\s*([KMGT]?)(?:iB|B)?", re.IGNORECASE)
 _UNITS = {"": 0, "K": 10, "M": 20, "G": 30, "T": 40}
 
 
-def add_batch_parser(subparsers: Any) -> argparse.ArgumentParser:
-    """The parser of the command, which still lacks the options of simplify."""
+def add_batch_parser(subparsers: Any, **options: Any) -> argparse.ArgumentParser:
+    """The parser of the command, which still lacks the options of simplify. Options are those of argparse's parsers."""
     parser: argparse.ArgumentParser = subparsers.add_parser(
-        "batch", help=SUMMARY + ".", description=_DESCRIPTION, allow_abbrev=False
+        "batch", help=SUMMARY + ".", description=_DESCRIPTION, allow_abbrev=False, **options
     )
     parser.add_argument("input", metavar="INPUT", help="folder, or pattern in quotes such as 'scans/**/*.ply'")
     parser.add_argument("output", metavar="OUTPUT_DIR", help="folder for the results and the manifest")

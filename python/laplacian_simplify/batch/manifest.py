@@ -15,14 +15,19 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any
 
 from ..files.errors import MeshFileError, printable
 from ..files.staging import unwritable
 from .inputs import MeshToDo
 
+if TYPE_CHECKING:
+    from typing_extensions import Self  # in typing from Python 3.11 on
+
 MANIFEST = "laplacian-simplify.jsonl"
 
+_AT_ONCE = 1 << 20
+"""Bytes of a file that are read at a time."""
 # They change nothing in a result.
 _WITHOUT_EFFECT = ("threads",)
 
@@ -57,7 +62,7 @@ class Manifest:
         self.rows: dict[str, dict[str, Any]] = {}
         self._read()
 
-    def __enter__(self) -> Self:
+    def __enter__(self) -> "Self":
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
@@ -108,8 +113,10 @@ def state_of(path: str | os.PathLike[str]) -> dict[str, Any]:
     if not stat.S_ISREG(status.st_mode):
         raise OSError(f"{path} is not a file")
     with Path(path).open("rb") as file:
-        digest = hashlib.file_digest(file, "sha256").hexdigest()
-    return {"size": status.st_size, "mtime_ns": status.st_mtime_ns, "sha256": digest}
+        digest = hashlib.sha256()
+        while part := file.read(_AT_ONCE):
+            digest.update(part)
+    return {"size": status.st_size, "mtime_ns": status.st_mtime_ns, "sha256": digest.hexdigest()}
 
 
 def _is_unchanged(path: Path, row: Mapping[str, Any]) -> bool:

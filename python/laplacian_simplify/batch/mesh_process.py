@@ -25,7 +25,7 @@ Job: TypeAlias = dict[str, Any]
 Answer: TypeAlias = dict[str, Any]
 
 _BOOT = (
-    "import sys, json; sys.path[:] = json.loads(sys.argv[2]); "
+    "import sys; sys.path[:] = filter(None, sys.path); import json; sys.path[:] = json.loads(sys.argv[2]); "
     "from laplacian_simplify.batch.mesh_process import serve; serve()"
 )
 _MOST_MESHES = 500  # then a new one takes over, whatever this one may have lost of its memory
@@ -52,7 +52,7 @@ class MeshProcess:
         """
         self._scratch = TemporaryDirectory(prefix="process-", dir=scratch, ignore_cleanup_errors=True)
         self._answers, answers = os.pipe()
-        words = [sys.executable, "-P", "-c", _BOOT, json.dumps([os.getpid(), answers]), json.dumps(sys.path)]
+        words = [sys.executable, "-c", _BOOT, json.dumps([os.getpid(), answers]), json.dumps(sys.path)]
         numbers = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), str(threads))
         try:
             self._process = subprocess.Popen(

@@ -154,7 +154,8 @@ def _transform(node: Any, number: int) -> Floats:
     """The matrix of a node, or what its translation, rotation and scale make."""
     try:
         if "matrix" in node:
-            return np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
+            given: Floats = np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
+            return given
         matrix = np.eye(4)
         x, y, z, w = np.array(node.get("rotation", (0, 0, 0, 1)), dtype=np.float64)
         turn = np.array(

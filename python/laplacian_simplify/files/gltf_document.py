@@ -71,10 +71,11 @@ class Document:
             )
         if not count:
             return np.empty((0, columns))
-        values = np.ndarray((count, columns), kind, view, start, (stride, int(kind[2])))
+        values: np.ndarray[Any, Any] = np.ndarray((count, columns), kind, view, start, (stride, int(kind[2])))
         if not row.get("normalized") or kind[1] == "f":
-            return values.copy()
-        return np.maximum(values.astype(np.float64) / np.iinfo(values.dtype).max, -1)
+            return np.array(values)
+        numbers: np.ndarray[Any, Any] = np.maximum(values.astype(np.float64) / np.iinfo(values.dtype).max, -1)
+        return numbers
 
     def image(self, row: dict[str, Any], where: str) -> bytes | None:
         """The bytes of an image; nothing where its file is not there."""

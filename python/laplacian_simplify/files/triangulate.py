@@ -74,7 +74,7 @@ def _cut(points: Floats, names: Integers) -> Integers:
     """Triangles, by corners, of polygons with the same number of corners. points: (polygons, corners, 3)."""
     size = points.shape[1]
     fan = np.stack([np.zeros(size - 2, dtype=np.int64), np.arange(1, size - 1), np.arange(2, size)], axis=1)
-    triangles = np.broadcast_to(fan, (len(points), size - 2, 3)).copy()
+    triangles: Integers = np.broadcast_to(fan, (len(points), size - 2, 3)).copy()
     if size == 3:
         return triangles
     normals = _newell(points)
