@@ -17,7 +17,7 @@ namespace vcg_ext
 /// with one tuple of everything that its corners carry; faces that are joined over edges without a difference
 /// in wedges are a chart.
 struct SurfaceWedges {
-    Channels channels;      ///< none where there are labels alone
+    Channels channels;     ///< none where there are labels alone
     std::size_t count = 0; ///< of wedges
     bool keepSeams = true;
     std::vector<float> values;                        ///< of every wedge, as the collapse left them
