@@ -27,11 +27,11 @@ class Workers:
 
     client: Client
     slots: int
-    """Meshes that are worked on at a time."""
+    """Jobs that are worked on at a time."""
     memory: int
     """Bytes for all of them, where nobody says how many."""
     threads: int
-    """For each mesh, where nobody says how many."""
+    """For each job, where nobody says how many."""
     dashboard: str
     """Address of a page that shows the work; empty without bokeh."""
 
@@ -40,7 +40,7 @@ class Workers:
 def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
     """Workers of this process, one a processor where no number is given.
 
-    They are threads, as the meshes are done in processes of their own.
+    They are threads, as the jobs are done in processes of their own.
     """
     count = count or CPU_COUNT
     settings = {"temporary-directory": scratch, "distributed.scheduler.work-stealing": False}
