@@ -65,6 +65,38 @@ void MeasureDistances(const vcg_ext::MeshView& view, const double* points, std::
     });
 }
 
+/// The edges of a mesh, sorted by their lower vertex: far quicker than sorting them all.
+struct EdgesByVertex {
+    std::vector<std::uint32_t> begin;  ///< of each vertex in higher, and the end of the last one
+    std::vector<std::uint32_t> higher; ///< the other vertex, once a face
+};
+
+template <class Visit>
+void ForEachEdge(const laplacian_simplify_surface& surface, const std::uint8_t* fixed, const Visit& visit)
+{
+    for (std::size_t f = 0; f < surface.face_count; ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = surface.faces[3 * f + k], b = surface.faces[3 * f + (k + 1) % 3];
+            if (!(fixed[a] && fixed[b])) visit(std::min(a, b), std::max(a, b));
+        }
+}
+
+EdgesByVertex SortEdges(const laplacian_simplify_surface& surface, const std::uint8_t* fixed)
+{
+    EdgesByVertex edges;
+    edges.begin.resize(surface.vertex_count + 2);
+    std::size_t count = 0;
+    ForEachEdge(surface, fixed, [&](std::uint32_t low, std::uint32_t) {
+        ++edges.begin[low + 2];
+        ++count;
+    });
+    for (std::size_t v = 2; v < edges.begin.size(); ++v) edges.begin[v] += edges.begin[v - 1];
+    edges.higher.resize(count);
+    ForEachEdge(surface, fixed,
+                [&](std::uint32_t low, std::uint32_t high) { edges.higher[edges.begin[low + 1]++] = high; });
+    return edges;
+}
+
 } // namespace
 
 std::int32_t laplacian_simplify_distances(const laplacian_simplify_surface* surface, const double* points,
@@ -87,6 +119,30 @@ std::int32_t laplacian_simplify_descriptor(const laplacian_simplify_surface* sur
         const std::vector<double> found =
             vcg_ext::LaplacianDescriptor(ViewOf(*surface), vcg_ext::ResolveThreads(threads));
         std::copy(found.begin(), found.end(), values);
+        return 0;
+    } catch (const std::bad_alloc&) {
+        return 1;
+    }
+}
+
+std::int32_t laplacian_simplify_edges(const laplacian_simplify_surface* surface,
+                                      const std::uint8_t* fixed_vertices, std::uint64_t* boundary,
+                                      std::uint64_t* non_manifold)
+{
+    *boundary = *non_manifold = 0;
+    try {
+        EdgesByVertex edges = SortEdges(*surface, fixed_vertices);
+        for (std::size_t v = 0; v < surface->vertex_count; ++v) {
+            const auto end = edges.higher.begin() + edges.begin[v + 1];
+            auto first = edges.higher.begin() + edges.begin[v];
+            std::sort(first, end);
+            while (first != end) {
+                const auto next = std::upper_bound(first, end, *first);
+                *boundary += next - first == 1;
+                *non_manifold += next - first > 2;
+                first = next;
+            }
+        }
         return 0;
     } catch (const std::bad_alloc&) {
         return 1;

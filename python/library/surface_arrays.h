@@ -33,4 +33,11 @@ __attribute__((visibility("default"))) std::int32_t
 laplacian_simplify_descriptor(const laplacian_simplify_surface* surface, std::int32_t threads,
                               double* values);
 
+/// Counts the edges with one face and those with three or more, but for edges between two fixed vertices,
+/// whose other faces may be elsewhere. \param fixed_vertices a byte a vertex \param boundary \param
+/// non_manifold overwritten \return 0; 1 where there is not enough memory
+__attribute__((visibility("default"))) std::int32_t
+laplacian_simplify_edges(const laplacian_simplify_surface* surface, const std::uint8_t* fixed_vertices,
+                         std::uint64_t* boundary, std::uint64_t* non_manifold);
+
 } // extern "C"

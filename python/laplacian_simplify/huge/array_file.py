@@ -33,9 +33,10 @@ def save_arrays(path: Path, arrays: Mapping[str, Array]) -> dict[str, Any]:
     head = json.dumps(table).encode()
     part = path.with_name(f"{path.name}.{os.getpid()}.part")
     checksum = size = 0
+    pieces: list[Any] = [len(head).to_bytes(8, "little"), head, *map(bytes_of, arrays.values())]
     try:
         with part.open("wb") as file:
-            for piece in (len(head).to_bytes(8, "little"), head, *map(bytes_of, arrays.values())):
+            for piece in pieces:
                 file.write(piece)
                 checksum = zlib.crc32(piece, checksum)
                 size += len(piece)
@@ -108,4 +109,5 @@ class ArrayFile:
 
 def bytes_of(array: Any) -> memoryview:
     """The bytes of an array, which has to be contiguous to be taken without a copy."""
-    return memoryview(np.ascontiguousarray(array)).cast("B") if array.size else memoryview(b"")
+    contiguous: Any = np.ascontiguousarray(array)
+    return memoryview(contiguous).cast("B") if array.size else memoryview(b"")

@@ -29,7 +29,7 @@ class Chunk:
     ids: Array
     """int64, ascending: what tells a vertex from all others of the mesh."""
     positions: Array
-    """float64, (n, 3)."""
+    """(n, 3), float32 where the file has no more."""
     triangles: Array
     """uint32, (m, 3), rows of the arrays above."""
     dropped: int = 0

@@ -73,14 +73,17 @@ def count_foreign(folder: Path, parts: list[Part]) -> int:
 
 
 def _read(folder: Path, parts: list[Part]) -> tuple[list[Array], list[Array], list[Array], list[Array]]:
-    ids, positions, triangles, foreign = [np.empty(0, np.int64)], [np.empty((0, 3))], [np.empty((0, 3), np.int64)], []
+    ids: list[Array] = []
+    positions: list[Array] = []
+    triangles: list[Array] = []
+    foreign: list[Array] = []
     at = 0
     for name, v0, v1, f0, f1, g0, g1 in parts:
         file = ArrayFile(folder / name)
         if f1 > f0:
             ids.append(file.read("ids", v0, v1))
             positions.append(file.read("positions", v0, v1))
-            triangles.append(file.read("triangles", f0, f1).astype(np.int64) + at)
+            triangles.append(file.read("triangles", f0, f1) + np.uint32(at))
             at += v1 - v0
         if g1 > g0:
             foreign.append(file.read("foreign", g0, g1))

@@ -35,7 +35,8 @@ class Grid:
     def places(self, positions: Array) -> Array:
         """int32, (n, 3): the cells of the last level along each axis."""
         cells = np.floor((positions - np.array(self.low)) / self.step)
-        return np.clip(cells, 0, SIDE**LEVELS - 1).astype(np.int32)
+        places: Array = np.clip(cells, 0, SIDE**LEVELS - 1).astype(np.int32)
+        return places
 
     def centroid_places(self, positions: Array, triangles: Array) -> Array:
         """The same of the centroids of triangles."""

@@ -91,7 +91,7 @@ class PlySource:
     def _positions(self, ids: Array) -> Array:
         """Of ascending rows, in windows, so that address space is bounded, too."""
         place = self._places["vertex"]
-        positions = np.empty((len(ids), 3))
+        positions = np.empty((len(ids), 3), np.float32 if self.single else np.float64)
         at = 0
         while at < len(ids):
             first = int(ids[at]) // _WINDOW * _WINDOW

@@ -56,9 +56,9 @@ class _Writer:
     chunk: Chunk
     home: Array
     toc: Toc = field(default_factory=list)
-    _ids: list[Array] = field(default_factory=lambda: [np.empty(0, np.int64)])
-    _positions: list[Array] = field(default_factory=lambda: [np.empty((0, 3))])
-    _triangles: list[Array] = field(default_factory=lambda: [np.empty((0, 3), np.uint32)])
+    _ids: list[Array] = field(default_factory=list)
+    _positions: list[Array] = field(default_factory=list)
+    _triangles: list[Array] = field(default_factory=list)
     _foreign: dict[int, list[Array]] = field(default_factory=dict)
 
     def add(self, block: int, faces: Array) -> None:
@@ -84,7 +84,13 @@ class _Writer:
             rows[block][5:] = [at, at + len(ids)]
             at += len(ids)
             foreign.append(ids)
-        parts = {"ids": self._ids, "positions": self._positions, "triangles": self._triangles, "foreign": foreign}
+        none = self.chunk  # of which nothing is taken where there is no face
+        parts = {
+            "ids": [none.ids[:0], *self._ids],
+            "positions": [none.positions[:0], *self._positions],
+            "triangles": [none.triangles[:0], *self._triangles],
+            "foreign": foreign,
+        }
         return {name: np.concatenate(arrays) for name, arrays in parts.items()}
 
     def _put(self, number: int, faces: Array) -> Array:

@@ -57,7 +57,7 @@ class StlSource:
         ids, first, local = np.unique(hashed(corners), return_index=True, return_inverse=True)
         check_collisions(corners[first[local]], corners, self._shown)
         triangles = local.reshape(-1, 3).astype(np.uint32)
-        return without_degenerate(ids, corners[first].astype(np.float64), triangles, zlib.crc32(bytes_of(corners)))
+        return without_degenerate(ids, corners[first], triangles, zlib.crc32(bytes_of(corners)))
 
     def _corners(self, begin: int, end: int) -> Array:
         with Path(self._path).open("rb") as file:

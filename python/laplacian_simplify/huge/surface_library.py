@@ -57,6 +57,20 @@ def descriptor(positions: Array, faces: Array) -> Array:
     return values
 
 
+def edges(positions: Array, faces: Array, fixed: Array) -> tuple[int, int]:
+    """Boundary and non-manifold edges, but for those between two fixed vertices; errors as of distances."""
+    flags = np.ascontiguousarray(fixed, np.uint8)
+    counts = c_uint64(), c_uint64()
+    surface, kept = _surface(positions, faces)
+    failed = _library().laplacian_simplify_edges(
+        ctypes.byref(surface), flags.ctypes.data, ctypes.byref(counts[0]), ctypes.byref(counts[1])
+    )
+    del kept
+    if failed:
+        raise MemoryError
+    return counts[0].value, counts[1].value
+
+
 def _surface(positions: Array, faces: Array) -> tuple[_Surface, tuple[Array, Array]]:
     """The structure, and the arrays that it points to."""
     kept = np.ascontiguousarray(positions, np.float64), np.ascontiguousarray(faces, np.uint32)
@@ -69,4 +83,5 @@ def _library() -> ctypes.CDLL:
     surface = ctypes.POINTER(_Surface)
     library.laplacian_simplify_distances.argtypes = [surface, c_void_p, c_uint64, c_int32, c_void_p]
     library.laplacian_simplify_descriptor.argtypes = [surface, c_int32, c_void_p]
+    library.laplacian_simplify_edges.argtypes = [surface, c_void_p, ctypes.POINTER(c_uint64), ctypes.POINTER(c_uint64)]
     return library
