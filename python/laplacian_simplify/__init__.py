@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
     from .filters import classify, descriptor, simplify, smooth, weighted
+    from .huge.api import simplify_huge
+    from .huge.report import HugeReport
     from .plugin import PYMESHLAB_VERSION, load, plugin_path
     from .report import (
         STOP_REASONS,
@@ -45,6 +47,8 @@ _MODULES = {
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
     "filters": ("classify", "descriptor", "simplify", "smooth", "weighted"),
+    "huge.api": ("simplify_huge",),
+    "huge.report": ("HugeReport",),
     "plugin": ("PYMESHLAB_VERSION", "load", "plugin_path"),
     "report": (
         "STOP_REASONS",
@@ -64,6 +68,7 @@ __all__ = [
     "ClassificationReport",
     "DecimationReport",
     "DescriptorReport",
+    "HugeReport",
     "MeshFileError",
     "MeshFileWarning",
     "Report",
@@ -77,6 +82,7 @@ __all__ = [
     "plugin_path",
     "read_mesh",
     "simplify",
+    "simplify_huge",
     "simplify_many",
     "smooth",
     "weighted",

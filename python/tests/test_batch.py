@@ -21,9 +21,9 @@ import pytest
 from conftest import SAMPLE_MESHES, assert_one_line, faces_in, run_command
 
 import laplacian_simplify as ls
-from laplacian_simplify.batch.arguments import bytes_of
 from laplacian_simplify.batch.inputs import find_meshes
 from laplacian_simplify.batch.worker import PROCESS
+from laplacian_simplify.workers.arguments import bytes_of
 from laplacian_simplify.workers.process import WorkerProcess
 
 pytest.importorskip("distributed")

@@ -9,7 +9,7 @@ from typing import Literal, Unpack
 from ..files.output_formats import OUTPUT_FORMATS
 from ..filters import FileOptions
 from ..running import with_one_target
-from .arguments import bytes_of
+from ..workers.arguments import bytes_of
 from .command import progress as shown_progress
 from .runs import BatchReport, BatchRequest, Finished, simplify_folder
 

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Simplifies blocks. Vertices that other blocks have, too, stay as they are."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -78,7 +77,12 @@ def survey(folder: Path, block: int, parts: list[Part], grid: Grid, layout: str,
     mesh = gather(folder, parts, shown)
     arrays = MeshArrays(mesh.positions, mesh.triangles, _fixed(folder, mesh, block, grid, layout), shared_seams=True)
     outcome = run(arrays, engine.parameters(_least(mesh), FAST), None)
-    return {"block": block, "faces": len(mesh.triangles), "curve": [step for step in outcome.steps if step[0] > 0]}
+    return {
+        "block": block,
+        "faces": len(mesh.triangles),
+        "curve": [step for step in outcome.steps if step[0] > 0],
+        "seams": count_foreign(folder, parts),
+    }
 
 
 @dataclass(frozen=True)
@@ -149,8 +153,3 @@ def _border_vertices(triangles: Array, vertices: int) -> Array:
     border = np.zeros(vertices, bool)
     border[single // vertices] = border[single % vertices] = True
     return border
-
-
-def engine_of(values: Mapping[str, Any]) -> Engine:
-    """The engine as it came through JSON."""
-    return Engine(**values)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Boundary and non-manifold edges of a mesh in blocks: within a block at once, between blocks by the ids of their ends."""
+"""Boundary and non-manifold edges of a mesh in blocks: within one at once, between them by the ids of their ends."""
 
 from dataclasses import dataclass
 

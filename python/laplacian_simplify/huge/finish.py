@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The last run on what is left, and the result as a file."""
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 from ..files.errors import printable
 from ..files.staging import unwritable
 from ..library import MeshArrays, run
+from . import surface_library
 from .array_file import Array, ArrayFile, save_arrays
 from .collapse import Engine
 from .gather import Item, Part, gather, load
@@ -20,32 +22,35 @@ _ROWS = 1 << 20
 
 
 def last_run(
-    folder: Path, parts: list[Part], item: Item | None, target: int, engine: Engine, effort: int, threads: int,
-    shown: str, file: str,
+    folder: Path, parts: list[Part], item: Item | None, target: int, measure: bool, engine: Engine,
+    effort: int, shown: str, file: str,
 ) -> dict[str, Any]:  # fmt: skip
     """Simplifies what is left as simplify would, and writes it as a block.
 
     Args:
         folder: of the work.
         parts: of what is left; none where the input itself is small enough.
-        item: that input; then distances are measured, too.
+        item: that input.
         target: faces.
+        measure: distances, too.
         engine: as for the blocks.
         effort: number of the filter's option.
-        threads: as many as there are processors.
         shown: name of the mesh.
         file: to write.
     """
+    before: dict[str, int] = {}
     if item is not None:
         chunk = load(folder, item)
         mesh = MeshArrays(chunk.positions, chunk.triangles)
+        edges = surface_library.edges(chunk.positions, chunk.triangles, np.zeros(len(chunk.positions), bool))
+        before = dict(zip(("boundary_edges_before", "non_manifold_edges_before"), edges, strict=True))
     else:
         block = gather(folder, parts, shown)
         mesh = MeshArrays(block.positions, block.triangles)
-    parameters = engine.parameters(target, effort, threads=threads) | {
+    parameters = engine.parameters(target, effort, threads=len(os.sched_getaffinity(0))) | {
         "avoid_self_intersections": 1,
         "clean_input": 1,
-        "measure_error": int(item is not None),
+        "measure_error": int(measure),
     }
     outcome = run(mesh, parameters, None)
     arrays = {
@@ -54,7 +59,8 @@ def last_run(
         "triangles": outcome.faces,
         "shared": np.zeros(len(outcome.vertices), bool),
     }
-    return {**save_arrays(folder / file, arrays), "report": outcome.report}
+    counts = {"faces": len(outcome.faces), "vertices": len(outcome.vertices)}
+    return {**save_arrays(folder / file, arrays), **counts, "report": outcome.report | before}
 
 
 def write_mesh(folder: Path, files: list[str], output: str, shown: str, single: bool) -> dict[str, Any]:

@@ -87,7 +87,7 @@ def next_round(faces: int, target: int, sizes: Sizes, done: list[dict[str, Any]]
         MeshFileError: the mesh does not get smaller, as seams between blocks hold it.
     """
     stuck = bool(done) and done[-1]["after"] > 0.97 * done[-1]["before"]
-    if sizes.in_memory(target):
+    if sizes.in_memory(target) or (faces <= sizes.last and not done):
         if faces <= sizes.last:
             return None
         if stuck:
@@ -95,7 +95,7 @@ def next_round(faces: int, target: int, sizes: Sizes, done: list[dict[str, Any]]
                 f"{faces:,} faces are left between seams of blocks, and {sizes.last:,} fit into the memory: "
                 "give more by --memory"
             )
-        return Round("collapse", int(min(_ROOM * sizes.last, max(_BEST_LEFT * target, _LEAST_LEFT * target))))
+        return Round("collapse", int(min(_ROOM * sizes.last, _BEST_LEFT * target)))
     kinds = [row["kind"] for row in done]
     if "second" in kinds:
         return None
@@ -125,7 +125,7 @@ def common_cost(pilots: list[dict[str, Any]], sizes: list[int], goal: int) -> fl
     at = sum(sizes) - sum(size for size, _, _ in curves)  # of blocks without a curve all stays
 
     def remaining(cost: float) -> float:
-        return at + sum(size * float(np.exp(np.interp(cost, x, y))) for size, x, y in curves)
+        return float(at + sum(size * np.exp(np.interp(cost, x, y)) for size, x, y in curves))
 
     return float(np.exp(_solved(remaining, curves, goal)))
 
@@ -169,4 +169,4 @@ def common_scale(pilots: list[dict[str, Any]], sizes: list[int]) -> float:
         return 0.0
     up_to = np.cumsum([size for _, size in rows])
     k = int(np.searchsorted(up_to, 0.8 * up_to[-1]))
-    return 1 / rows[min(k, len(rows) - 1)][0]
+    return float(1 / rows[min(k, len(rows) - 1)][0])

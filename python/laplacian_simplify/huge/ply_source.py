@@ -39,6 +39,12 @@ class PlySource:
         except DamageError as error:
             raise error.named(self._shown) from None
         self.vertices, self.faces = (self._places[name].rows for name in ("vertex", "face"))
+        self.notes = [
+            f"{self._shown}: '{name}' of {element} is left out: huge keeps positions and faces only"
+            for element, kept in (("vertices", {*"xyz"}), ("faces", {*_INDEX_LISTS}))
+            for name in self._places["vertex" if element == "vertices" else "face"].names
+            if name not in kept
+        ]
         self.single = all(self._places["vertex"].dtype[name].itemsize <= 4 for name in "xyz")
 
     def bounds(self, begin: int, end: int) -> Bounds:
@@ -110,6 +116,7 @@ class _Place:
 
     def __init__(self, element: Element, start: int, fields: list[Any], lists: dict[str, int]) -> None:
         self.start, self.rows, self.dtype, self.lists = start, element.rows, np.dtype(fields), lists
+        self.names = [row.name for row in element.properties]
         self.index_list = next((name for name in _INDEX_LISTS if name in lists), "")
 
 

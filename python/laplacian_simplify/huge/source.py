@@ -20,6 +20,8 @@ class Source(Protocol):
     """Rows of positions; of a format without a table of vertices, three a face."""
     single: bool
     """Whether coordinates are stored in single precision."""
+    notes: list[str]
+    """What of it is passed over, for people."""
 
     def bounds(self, begin: int, end: int) -> Bounds:
         """The box of these rows of positions."""

@@ -32,6 +32,7 @@ class StlSource:
             OSError: it cannot be opened.
         """
         self._path, self._shown = path, printable(path)
+        self.notes: list[str] = []
         with Path(path).open("rb") as file:
             header = file.read(_HEADER)
         size = os.path.getsize(path)  # noqa: PTH202

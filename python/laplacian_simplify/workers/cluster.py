@@ -30,6 +30,8 @@ class Workers:
     """Jobs that are worked on at a time."""
     memory: int
     """Bytes for all of them, where nobody says how many."""
+    memory_of_one: int
+    """Bytes for one of them, where it is the only one at work."""
     threads: int
     """For each job, where nobody says how many."""
     dashboard: str
@@ -59,7 +61,7 @@ def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
     ):
         memory = int(_SHARE_OF_MEMORY * MEMORY_LIMIT)
         dashboard = client.dashboard_link if find_spec("bokeh") else ""
-        yield Workers(client, count, memory, max(CPU_COUNT // count, 1), dashboard)
+        yield Workers(client, count, memory, memory, max(CPU_COUNT // count, 1), dashboard)
 
 
 @contextmanager
@@ -77,10 +79,11 @@ def workers_of(address: str) -> Iterator[Workers]:
         with client:
             _compare_versions(client, address)
             info = client.scheduler_info(n_workers=-1)["workers"].values()
-            memory = sum(worker["memory_limit"] or 0 for worker in info)
+            limits = [worker["memory_limit"] or MEMORY_LIMIT for worker in info]
             slots = sum(worker["nthreads"] for worker in info)
             link = client.dashboard_link or ""
-            yield Workers(client, slots, int(_SHARE_OF_MEMORY * (memory or MEMORY_LIMIT)), 1, link)
+            memory, memory_of_one = (int(_SHARE_OF_MEMORY * number) for number in (sum(limits), min(limits)))
+            yield Workers(client, slots, memory, memory_of_one, 1, link)
 
 
 def _compare_versions(client: Client, address: str) -> None:
