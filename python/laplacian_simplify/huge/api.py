@@ -10,9 +10,8 @@ from ..filters import Boundary, Effort
 from ..running import with_one_target
 from ..workers.arguments import bytes_of
 from .command import shown_progress
-from .report import HugeReport, HugeRequest
+from .report import HugeReport, HugeRequest, Progress
 from .runs import simplify_file
-from .stages import Progress
 
 
 class HugeOptions(TypedDict, total=False):

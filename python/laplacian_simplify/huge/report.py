@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What huge is asked for and what it reports."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..report import STOP_REASONS, StopReason
 from ..summary import summary_lines
+
+Progress = Callable[[str, int, int], object]
+"""Called with the stage, tasks done, and tasks in all."""
 
 
 @dataclass(frozen=True, kw_only=True)

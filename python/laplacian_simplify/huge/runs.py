@@ -12,18 +12,19 @@ from typing import TYPE_CHECKING, Any
 from ..arrays import rounded
 from ..files.errors import MeshFileError, printable
 from ..files.staging import check_target, staged_output
+from ..report import StopReason
 from ..running import checked
 from ..tables import filter_named
 from .array_file import ArrayFile
 from .collapse import Engine
 from .plan import Sizes, sizes_for
-from .report import HugeReport, HugeRequest
+from .report import HugeReport, HugeRequest, Progress
 from .source import Source, open_source
 from .work_folder import WorkFolder
 
 if TYPE_CHECKING:
     from .rounds import Aim, Simplified
-    from .stages import Progress, Stages
+    from .stages import Stages
 
 _FILTER = "meshing_decimation_laplacian_quadric_edge_collapse"
 _SAMPLES = 100_000
@@ -33,7 +34,7 @@ _BYTES_A_FACE_LEFT = 2 * 34
 """Blocks of two rounds."""
 
 
-def simplify_file(request: HugeRequest, progress: "Progress") -> HugeReport:
+def simplify_file(request: HugeRequest, progress: Progress) -> HugeReport:
     """Simplifies a mesh that may be larger than memory.
 
     Raises:
@@ -103,10 +104,10 @@ class _Run:
             notes=self._source.notes,
         )
 
-    def _stop_reason(self, done: "Simplified", faces: int) -> int:
+    def _stop_reason(self, done: "Simplified", faces: int) -> StopReason:
         if done.report is not None:
-            return int(done.report["stop_reason"])
-        return 0 if faces <= self._aim.target else 2
+            return StopReason(done.report["stop_reason"])
+        return StopReason.TARGET if faces <= self._aim.target else StopReason.NO_LEGAL_COLLAPSE
 
     def _write(self, done: "Simplified") -> dict[str, int]:
         """The result as a file; it appears whole or not at all."""

@@ -5,7 +5,7 @@
 A task whose answer is in the work folder, with its file, is not done again. One whose process is killed is.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 from uuid import uuid4
@@ -18,11 +18,10 @@ from ..workers.cluster import Workers
 from ..workers.pool import Processes
 from ..workers.process import Kind
 from .plan import block_memory
+from .report import Progress
 from .work_folder import WorkFolder
 
 Answer = dict[str, Any]
-Progress = Callable[[str, int, int], object]
-"""Called with the stage, tasks done, and tasks in all."""
 
 _TRIES = 2
 _NO_LIMIT = 1e9  # seconds
@@ -146,7 +145,7 @@ class Stages:
         return answer
 
     def took(self) -> tuple[dict[str, float], int]:
-        """Seconds of the processor a stage, and bytes that the largest process took, runs that were stopped included."""
+        """Seconds of the processor a stage, and bytes of the largest process, in runs that were stopped, too."""
         seconds: dict[str, float] = {}
         peak = 0
         for answer in self.work.values():
