@@ -72,11 +72,14 @@ def pilot(
     }
 
 
-def survey(folder: Path, block: int, parts: list[Part], grid: Grid, layout: str, engine: Engine, shown: str) -> Any:
-    """Collapses a whole block as far as it goes and returns how cost and faces go together."""
+def survey(
+    folder: Path, block: int, parts: list[Part], grid: Grid, layout: str, engine: Engine, share: float, shown: str
+) -> dict[str, Any]:
+    """Collapses a whole block until a share of its faces is left, and returns how cost and faces go together."""
     mesh = gather(folder, parts, shown)
     arrays = MeshArrays(mesh.positions, mesh.triangles, _fixed(folder, mesh, block, grid, layout), shared_seams=True)
-    outcome = run(arrays, engine.parameters(_least(mesh), FAST), None)
+    target = max(_least(mesh), int(share * len(mesh.triangles)))
+    outcome = run(arrays, engine.parameters(target, FAST), None)
     return {
         "block": block,
         "faces": len(mesh.triangles),

@@ -25,6 +25,9 @@ from .plan import (
 from .prepare import Prepared, divided_further
 from .stages import Answer, Stages, Task
 
+_SURVEYED = 0.4
+"""How far pilots go beyond what all are to keep, as no two blocks are alike."""
+
 Row = dict[str, Any]
 Parts = dict[int, list[Part]]
 
@@ -192,7 +195,7 @@ class _OneRound:
                     "parts": parts[-1 - block],
                     "toc": parts[block],
                     "engine": vars(self._engine),
-                    "share": 0.4 * self._plan.goal / self._faces,
+                    "share": _SURVEYED * self._plan.goal / self._faces,
                     "shown": self._mesh.path,
                 },
                 block_memory(size // 4),
@@ -210,8 +213,9 @@ class _OneRound:
 
     def _share_out(self, division: Division, parts: Parts, layout: str) -> tuple[Row, list[Row]]:
         """The faces that each block keeps, at one cost."""
+        share = _SURVEYED * self._plan.goal / self._faces
         tasks = [
-            Task("survey", self._of_block(block, parts, layout), block_memory(size))
+            Task("survey", {**self._of_block(block, parts, layout), "share": share}, block_memory(size))
             for block, size in enumerate(division.sizes)
         ]
         surveys = self._stages.do("pilots", f"survey-{self._number}", tasks)
