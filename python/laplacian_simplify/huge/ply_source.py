@@ -74,7 +74,8 @@ class PlySource:
         if len(outside):
             raise DamageError(
                 f"face {begin + int(outside[0]):,}",
-                f"it has a vertex outside of 0 to {self.vertices - 1:,}, as have {len(outside) - 1:,} faces near it",
+                f"it has a vertex outside of 0 to {self.vertices - 1:,}"
+                + (f", as have {len(outside) - 1:,} faces after it" if len(outside) > 1 else ""),
             ).named(self._shown)
         ids, local = _numbered(corners)
         return without_degenerate(ids, self._positions(ids), local, checksum)
