@@ -4,7 +4,6 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from ..files.errors import MeshFileError, printable
 from .array_file import ArrayFile
@@ -47,7 +46,7 @@ def prepare(stages: Stages, path: str, source: Source, chunk: int) -> Prepared:
     Raises:
         MeshFileError: one cannot be used, or the file has changed since the work folder was begun.
     """
-    before = _forget_what_has_changed(stages, path)
+    _forget_what_has_changed(stages, path)
     rows = [(begin, min(begin + 2 * chunk, source.vertices)) for begin in range(0, source.vertices, 2 * chunk)]
     boxes = stages.do(
         "bounds",
@@ -61,12 +60,7 @@ def prepare(stages: Stages, path: str, source: Source, chunk: int) -> Prepared:
         ["input", path, begin, min(begin + chunk, source.faces)] for begin in range(0, source.faces, chunk)
     ]
     counts = count_faces(stages, items, [*grid.low, grid.step], "count", chunk)
-    if before is not None and before != [answer["read"] for answer in (*boxes, *counts)]:
-        raise MeshFileError(
-            f"{printable(stages.work.path)} holds another run: {printable(path)} has changed since; "
-            "remove the folder to begin anew, or give another --work-folder"
-        )
-    stages.work.add("input_time", Path(path).stat().st_mtime_ns)
+    _compare([answer["read"] for answer in (*boxes, *counts)], stages, path)
     dropped = sum(answer["dropped"] for answer in counts)
     return Prepared(path, source.single, items, chunk, grid, low, high, counts, source.faces - dropped, dropped)
 
@@ -101,16 +95,24 @@ def divided_further(
             histogram.add_inner(level, file.read("cells"), file.read("counts"))
 
 
-def _forget_what_has_changed(stages: Stages, path: str) -> list[Any] | None:
-    """What was read before, where the file has another time since; its bytes are then read again."""
+def _forget_what_has_changed(stages: Stages, path: str) -> None:
+    """Has the file read again where it has another time since."""
+    work, now = stages.work, Path(path).stat().st_mtime_ns
+    if work.get("input_time") is None:
+        work.add("input_time", now)
+    elif work.get("input_time") != now:
+        work.forget("bounds.")
+        work.forget("count.")
+
+
+def _compare(checksums: list[int], stages: Stages, path: str) -> None:
+    """Refuses a file whose bytes are not those that were read before."""
     work = stages.work
-    if work.get("input_time") in (None, Path(path).stat().st_mtime_ns):
-        return None
-    checksums = []
-    for key in ("bounds", "count"):
-        k = 0
-        while (answer := work.get(f"{key}.{k}")) is not None:
-            checksums.append(answer["read"])
-            work.forget(f"{key}.{k}")
-            k += 1
-    return checksums
+    if work.get("checksums") is None:
+        work.add("checksums", checksums)
+    elif work.get("checksums") != checksums:
+        raise MeshFileError(
+            f"{printable(work.path)} holds another run: {printable(path)} has changed since; "
+            "remove the folder to begin anew, or give another --work-folder"
+        )
+    work.add("input_time", Path(path).stat().st_mtime_ns)

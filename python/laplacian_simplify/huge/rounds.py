@@ -70,17 +70,23 @@ class Rounds:
             MeshFileError: it does not fit into the memory, something cannot be written, or is damaged.
             KeyboardInterrupt: a signal came. What is done is kept.
         """
+        kept = 0
         while plan := next_round(self._faces, self._aim.target, self._aim.sizes, self._done):
             number = len(self._done)
             row: Row | None = self._work.get(f"round-{number}")
             if row is None:
+                self._check(kept)
+                kept = 0
                 row = _OneRound(self, number, plan).run()
                 self._work.add(f"round-{number}", row)
+            else:
+                kept += 1
             self._done.append(row)
             self._clear(number)
             self._items = [["block", block["file"]] for block in row["files"]]
             self._largest = max(block["faces"] for block in row["files"])
             self._faces = row["after"]
+        self._check(kept)
         if self._done and self._done[-1]["kind"] == "second":
             return Simplified(self._done[-1]["files"], self._done)
         return self._last_run()
@@ -89,6 +95,21 @@ class Rounds:
         """Of the blocks of the first round, as they were before."""
         answers = (self._work.get(f"scatter-0.{k}") for k in range(len(self._mesh.items)))
         return parts_of(list(answers))
+
+    def _check(self, kept: int) -> None:
+        """Refuses a work folder that was damaged since rounds were done that an earlier run did."""
+        if kept == 0:
+            return
+        files = list(self._done[-1]["files"])
+        if self._aim.samples > 0:
+            files += [block["original"] for block in self._done[0]["files"]]
+            files += [self._work.get(f"scatter-0.{k}") for k in range(len(self._mesh.items))]
+        for written in files:
+            if not self._work.has(written):
+                raise MeshFileError(
+                    f"{printable(self._work.path / written['file'])} is damaged or missing; "
+                    "remove the folder to begin anew"
+                )
 
     def _last_run(self) -> Simplified:
         blocks = self._done[-1]["files"] if self._done else []
@@ -126,7 +147,6 @@ class _OneRound:
 
     def run(self) -> Row:
         """Does the round and returns what there is to say about it, with its files."""
-        self._check_items()
         division = divide(self._histogram(), self._aim.sizes.block)
         layout = f"{self._number}.layout"
         Layout.save(self._work.path / layout, division.blocks, division.pilots)
@@ -146,15 +166,6 @@ class _OneRound:
             "descriptor_scale": self._engine.descriptor_scale,
             "files": files,
         }
-
-    def _check_items(self) -> None:
-        """Refuses a work folder that was damaged since the round before."""
-        for block in self._done[-1]["files"] if self._done else []:
-            if not self._work.has(block):
-                raise MeshFileError(
-                    f"{printable(self._work.path / block['file'])} is damaged or missing; "
-                    "remove the folder to begin anew"
-                )
 
     def _histogram(self) -> Histogram:
         histogram = Histogram()

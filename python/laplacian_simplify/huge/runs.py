@@ -32,6 +32,8 @@ _BYTES_A_FACE = {True: 25, False: 31}
 """On the disk, by whether coordinates have single precision: chunks, which stay for the comparison, with pilots."""
 _BYTES_A_FACE_LEFT = 2 * 34
 """Blocks of two rounds."""
+_TABLES = 64 << 20
+"""Bytes of tables of cells, of one round at a time."""
 
 
 def simplify_file(request: HugeRequest, progress: Progress) -> HugeReport:
@@ -190,4 +192,4 @@ def _check_room(work: WorkFolder, source: Source, sizes: Sizes, target: int) -> 
     if source.faces <= sizes.last:
         return
     left = max(target * 3, min(sizes.last, source.faces // 2))
-    work.check_room(source.faces * _BYTES_A_FACE[source.single] + left * _BYTES_A_FACE_LEFT)
+    work.check_room(source.faces * _BYTES_A_FACE[source.single] + left * _BYTES_A_FACE_LEFT + _TABLES)

@@ -88,10 +88,10 @@ class WorkFolder:
         """All that was written down."""
         return list(self._values.values())
 
-    def forget(self, *keys: str) -> None:
-        """Has these done again."""
-        for key in keys:
-            self._values.pop(key, None)
+    def forget(self, begin: str) -> None:
+        """Has everything done again whose key begins so."""
+        for key in [key for key in self._values if key.startswith(begin)]:
+            del self._values[key]
 
     def has(self, written: Mapping[str, Any]) -> bool:
         """Whether a file is there as it was written."""

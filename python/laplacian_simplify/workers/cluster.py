@@ -54,7 +54,7 @@ def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
             threads_per_worker=1,
             processes=False,
             memory_limit=0,  # each process has its own
-            dashboard_address="127.0.0.1:0" if find_spec("bokeh") else None,
+            dashboard_address="127.0.0.1:0",  # without one it would take a certain port, and say so where it is taken
             silence_logs=logging.CRITICAL,
         ) as cluster,
         Client(cluster, set_as_default=False) as client,
