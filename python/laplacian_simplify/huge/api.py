@@ -23,6 +23,7 @@ class HugeOptions(TypedDict, total=False):
     effort: Effort | int | None
     boundary: Boundary | int | None
     preserve_topology: bool | None
+    avoid_self_intersections: bool | None
     measure_error: bool | None
 
 

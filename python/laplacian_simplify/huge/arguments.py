@@ -19,6 +19,7 @@ PARAMETERS = (
     "effort",
     "boundary",
     "preserve_topology",
+    "avoid_self_intersections",
     "measure_error",
 )
 """Of simplify."""

@@ -17,6 +17,8 @@ from .samples import sample
 
 _LEAST_SHARE, _LEAST_FACES = 0.002, 4
 """Of its faces, what a block keeps even where all are cheap."""
+_FACES_AT_FIXED = 1.2
+"""A fixed vertex: fewer are hardly reached, and the last of them take longer than all others."""
 FAST = 0
 
 
@@ -62,7 +64,7 @@ def pilot(
     free = len(mesh.ids) - int(np.count_nonzero(border))
     arrays = MeshArrays(mesh.positions, mesh.triangles, border)
     faces = len(mesh.triangles)
-    outcome = run(arrays, engine.parameters(max(int(share * faces), _LEAST_FACES), FAST), None)
+    outcome = run(arrays, engine.parameters(_looked_at(share, faces, border), FAST), None)
     left = [(cost, max(1.0, free - (faces - now) / 2) / max(free, 1)) for cost, now in outcome.steps if cost > 0]
     return {
         "block": block,
@@ -77,9 +79,9 @@ def survey(
 ) -> dict[str, Any]:
     """Collapses a whole block until a share of its faces is left, and returns how cost and faces go together."""
     mesh = gather(folder, parts, shown)
-    arrays = MeshArrays(mesh.positions, mesh.triangles, _fixed(folder, mesh, block, grid, layout), shared_seams=True)
-    target = max(_least(mesh), int(share * len(mesh.triangles)))
-    outcome = run(arrays, engine.parameters(target, FAST), None)
+    fixed = _fixed(folder, mesh, block, grid, layout)
+    arrays = MeshArrays(mesh.positions, mesh.triangles, fixed, shared_seams=True)
+    outcome = run(arrays, engine.parameters(_looked_at(share, len(mesh.triangles), fixed), FAST), None)
     return {
         "block": block,
         "faces": len(mesh.triangles),
@@ -142,6 +144,11 @@ def _fixed(folder: Path, mesh: Block, block: int, grid: Grid, layout: str) -> Ar
     home = Layout.read(folder / layout).blocks.at(grid.places(mesh.positions))
     fixed: Array = (home != block) | np.isin(mesh.ids, mesh.foreign, assume_unique=True)
     return fixed
+
+
+def _looked_at(share: float, faces: int, fixed: Array) -> int:
+    """Faces down to which it is worth to know what they cost."""
+    return max(int(share * faces), int(_FACES_AT_FIXED * np.count_nonzero(fixed)), _LEAST_FACES)
 
 
 def _least(mesh: Block) -> int:

@@ -22,8 +22,8 @@ _ROWS = 1 << 20
 
 
 def last_run(
-    folder: Path, parts: list[Part], item: Item | None, target: int, measure: bool, engine: Engine,
-    effort: int, shown: str, file: str,
+    folder: Path, parts: list[Part], item: Item | None, target: int, measure: bool,
+    avoid_crossings: bool, engine: Engine, effort: int, shown: str, file: str,
 ) -> dict[str, Any]:  # fmt: skip
     """Simplifies what is left as simplify would, and writes it as a block.
 
@@ -33,6 +33,7 @@ def last_run(
         item: that input.
         target: faces.
         measure: distances, too.
+        avoid_crossings: no more faces cross than in what is left.
         engine: as for the blocks.
         effort: number of the filter's option.
         shown: name of the mesh.
@@ -48,7 +49,7 @@ def last_run(
         block = gather(folder, parts, shown)
         mesh = MeshArrays(block.positions, block.triangles)
     parameters = engine.parameters(target, effort, threads=len(os.sched_getaffinity(0))) | {
-        "avoid_self_intersections": 1,
+        "avoid_self_intersections": int(avoid_crossings),
         "clean_input": 1,
         "measure_error": int(measure),
     }

@@ -40,6 +40,8 @@ class Aim:
     engine: Engine
     effort: int
     sizes: Sizes
+    avoid_crossings: bool
+    """In the last run."""
     samples: int
     """Points by which the result is compared; 0: it is not."""
 
@@ -119,6 +121,7 @@ class Rounds:
             "target": self._aim.target,
             "engine": vars(self._aim.engine),
             "effort": self._aim.effort,
+            "avoid_crossings": self._aim.avoid_crossings,
             "measure": not blocks and self._aim.samples > 0,
             "shown": self._mesh.path,
             "file": "last.block",

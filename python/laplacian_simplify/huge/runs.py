@@ -15,6 +15,7 @@ from ..files.staging import check_target, staged_output
 from ..report import StopReason
 from ..running import checked
 from ..tables import filter_named
+from .arguments import PARAMETERS
 from .array_file import ArrayFile
 from .collapse import Engine
 from .plan import Sizes, sizes_for
@@ -152,7 +153,14 @@ def _aim(request: HugeRequest, target: int, sizes: Sizes) -> "Aim":
 
     numbers = _numbers(request)
     engine = Engine(numbers["feature_weight"], int(numbers["boundary"]), int(numbers["preserve_topology"]))
-    return Aim(target, engine, int(numbers["effort"]), sizes, _SAMPLES if numbers["measure_error"] else 0)
+    return Aim(
+        target,
+        engine,
+        int(numbers["effort"]),
+        sizes,
+        bool(numbers["avoid_self_intersections"]),
+        _SAMPLES if numbers["measure_error"] else 0,
+    )
 
 
 def _workers(request: HugeRequest, stack: ExitStack) -> Any:
@@ -173,7 +181,7 @@ def _work_folder(request: HugeRequest, target: int, sizes: Sizes) -> WorkFolder:
     output = Path(os.path.realpath(request.output))
     folder = request.work_folder or output.with_name(f".{output.name}.laplacian-simplify")
     numbers = _numbers(request)
-    options = ("feature_weight", "effort", "boundary", "preserve_topology", "measure_error")
+    options = (name for name in PARAMETERS if not name.startswith("target"))
     state = {
         "version": version("laplacian-simplify"),
         "input": os.path.abspath(request.source),  # noqa: PTH100
