@@ -6,7 +6,6 @@ import json
 import os
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -19,6 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import SAMPLE_MESHES, assert_one_line, faces_in, run_command
+from dask_cluster import has_workers, running_cluster
 
 import laplacian_simplify as ls
 from laplacian_simplify.batch.inputs import find_meshes
@@ -291,27 +291,8 @@ def test_processes_end_with_a_run_that_is_killed(at_work: Any) -> None:
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator["tuple[str, subprocess.Popen[bytes]]"]:
     """A scheduler on this machine with one worker: its address and process."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
-    port = address.rpartition(":")[2]
-    dask = [sys.executable, "-P", "-m", "dask"]
-    folder = ["--local-directory", str(tmp_path / "dask")]
-    run = {"env": _with_hooks(), "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    scheduler = subprocess.Popen(
-        [*dask, "scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard", "--dashboard-address", ":0"],
-        **run,  # type: ignore[call-overload]
-    )
-    worker = subprocess.Popen(
-        [*dask, "worker", address, "--nthreads", "1", "--no-dashboard", *folder],
-        **run,  # type: ignore[call-overload]
-    )
-    try:
-        yield address, scheduler
-    finally:
-        for process in (worker, scheduler):
-            process.terminate()
-            process.wait(timeout=60)
+    with running_cluster(tmp_path / "dask", _with_hooks()) as found:
+        yield found
 
 
 def test_workers_of_a_scheduler(cluster: Any, first: Any, tmp_path: Path) -> None:
@@ -319,7 +300,7 @@ def test_workers_of_a_scheduler(cluster: Any, first: Any, tmp_path: Path) -> Non
     address, scheduler = cluster
     for name, side in (("ends_the_worker_once", 12), ("sheet_1", 9), ("sheet_3", 11)):
         _write_sheet(tmp_path / "meshes" / f"{name}.off", side)
-    _wait_until(lambda: _has_workers(address))
+    _wait_until(lambda: has_workers(address))
     done = _run(tmp_path / "meshes", tmp_path / "results", *FAST, "--scheduler", address)
     assert done.returncode == 0, done.stdout + done.stderr
     assert Counter(row["status"] for row in _rows(tmp_path / "results")) == {"done": 3}
@@ -337,16 +318,6 @@ def test_workers_of_a_scheduler(cluster: Any, first: Any, tmp_path: Path) -> Non
     assert (
         said == "laplacian-simplify: error: the scheduler is gone; what is done is kept, and the same command goes on\n"
     )
-
-
-def _has_workers(address: str) -> bool:
-    from distributed import Client
-
-    try:
-        with Client(address, timeout=5, set_as_default=False) as client:
-            return bool(client.scheduler_info(n_workers=-1)["workers"])
-    except OSError:
-        return False
 
 
 def test_simplify_many_in_a_thread(tmp_path: Path) -> None:

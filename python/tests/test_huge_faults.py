@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 from conftest import assert_one_line, run_command
+from dask_cluster import has_workers, running_cluster
 from huge_meshes import torus, write_ply
 
 pytest.importorskip("distributed")
@@ -210,3 +211,20 @@ def test_a_full_disk_is_named_and_loses_nothing(source: Path, result: bytes, tmp
         assert (tmp_path / "small.ply").read_bytes() == result
     finally:
         subprocess.run(["umount", disk], check=True)
+
+
+def test_a_scheduler_that_goes_away_loses_nothing(source: Path, result: bytes, tmp_path: Path) -> None:
+    """The work goes on with workers of this machine."""
+    with running_cluster(tmp_path / "dask", _environment(f"hang last_run {tmp_path}")) as (address, scheduler):
+        _wait_until(lambda: has_workers(address))
+        words = _words(source, tmp_path)
+        words[words.index("--workers") : words.index("--workers") + 2] = ["--scheduler", address, "--memory", "1GiB"]
+        process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        _wait_until((tmp_path / "began").exists)
+        scheduler.kill()
+        said = process.communicate(timeout=120)[1]
+        assert process.returncode == 1
+        assert_one_line(said)
+        assert "the scheduler is gone; what is done is kept in the work folder" in said
+    assert "round-0" in _keys(tmp_path)
+    _go_on(source, tmp_path, result)

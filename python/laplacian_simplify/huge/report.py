@@ -59,7 +59,7 @@ class HugeReport:
     peak_memory: int
     """Bytes of the largest process."""
     seconds: float
-    """Since the run, or what goes on with it, began."""
+    """Since this run, which may have gone on with another, began."""
     notes: list[str] = field(repr=False)
     """What the result lacks."""
 
