@@ -208,6 +208,8 @@ def test_simplify_huge(source: Path, first: Any, tmp_path: Path) -> None:
         (["mesh.ply", "out.ply", "--faces", "4"], 2, "which are not more than the 4 to keep"),
         (["mesh.ply", "out.ply", "--percent", "0"], 2, "is outside (0, 100]"),
         (["mesh.ply", "out.ply", "--percent", "50", "--memory", "100MiB"], 2, "--memory 100MiB is too little"),
+        (["mesh.ply", "out.ply", "--percent", "50", "--json", "out.ply"], 2, "is the file of OUTPUT"),
+        (["mesh.ply", "out.ply", "--percent", "50", "--json", "no/r.json"], 1, "no is not a folder"),
         (["mesh.ply", "out.ply", "--percent", "50", "--work-folder", "."], 1, "is not empty and no work folder"),
         (["text.ply", "out.ply", "--percent", "50"], 1, "it is a text; huge reads binary PLY"),
         (["cut.ply", "out.ply", "--percent", "50"], 1, "it is cut off"),

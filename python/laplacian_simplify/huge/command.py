@@ -4,13 +4,14 @@
 
 import argparse
 import json
+import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from ..files.errors import printable
-from ..files.staging import staged_output
+from ..files.staging import check_target, staged_output
 from ..following import on_a_terminal
 from ..streams import say, show, write_out
 from .report import HugeReport, HugeRequest
@@ -30,10 +31,20 @@ def run_huge(options: argparse.Namespace, values: Mapping[str, Any]) -> int:
         block_faces=options.block_faces,
         chunk_faces=options.chunk_faces,
     )
+    if options.json and options.json != "-":
+        _check_report(options)
     with shown_progress() as progress:
         report = simplify_file(request, progress)
     _show(options, report)
     return 0
+
+
+def _check_report(options: argparse.Namespace) -> None:
+    """Finds out before all the work whether the report can be written."""
+    check_target(options.json)
+    for name, other in (("OUTPUT", options.output), ("INPUT", options.input)):
+        if os.path.realpath(options.json) == os.path.realpath(other):
+            raise ValueError(f"--json {printable(options.json)} is the file of {name}, which it would replace")
 
 
 def _show(options: argparse.Namespace, report: HugeReport) -> None:

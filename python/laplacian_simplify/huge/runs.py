@@ -7,11 +7,12 @@ import time
 from contextlib import ExitStack
 from importlib.metadata import version
 from pathlib import Path
+from tempfile import TemporaryDirectory, TemporaryFile
 from typing import TYPE_CHECKING, Any
 
 from ..arrays import rounded
 from ..files.errors import MeshFileError, printable
-from ..files.staging import check_target, staged_output
+from ..files.staging import check_target, staged_output, unwritable
 from ..report import StopReason
 from ..running import checked
 from ..tables import filter_named
@@ -50,7 +51,7 @@ def simplify_file(request: HugeRequest, progress: Progress) -> HugeReport:
     source = open_source(request.source)
     if request.output.suffix.lower() != ".ply":
         raise ValueError(f"{printable(request.output)} is no PLY file, the one format that huge writes")
-    check_target(request.output)
+    _check_output(request.output)
     target = _target(request, source)
     with ExitStack() as stack:
         workers = stack.enter_context(_workers(request, stack))
@@ -131,6 +132,17 @@ class _Run:
         return {name: answer[name] for name in ("vertices", "faces")}
 
 
+def _check_output(output: Path) -> None:
+    """Finds out before all the work whether the result can be written."""
+    check_target(output)
+    folder = Path(os.path.realpath(output)).parent
+    try:
+        with TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise unwritable(printable(output), error, folder) from None
+
+
 def _target(request: HugeRequest, source: Source) -> int:
     values = request.values
     target = int(values.get("target_faces") or rounded(values["target_percent"] / 100 * source.faces))
@@ -164,8 +176,6 @@ def _aim(request: HugeRequest, target: int, sizes: Sizes) -> "Aim":
 
 
 def _workers(request: HugeRequest, stack: ExitStack) -> Any:
-    from tempfile import TemporaryDirectory
-
     try:
         from ..workers.cluster import local_workers, workers_of
     except ModuleNotFoundError as missing:
