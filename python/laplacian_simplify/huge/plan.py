@@ -20,7 +20,7 @@ _LARGEST_BLOCK, _LEAST_BLOCK = 2_000_000, 20_000
 _BLOCKS_IN_LAST = 4
 """The last run's faces in blocks, where the size of a block is given in place of the memory."""
 
-_BEST_LEFT, _LEAST_LEFT = 6.0, 2.5
+_BEST_LEFT, _LEAST_LEFT = 12.0, 2.5
 """Faces before the last run, as a multiple of the target: what is planned, and the least. It sees no other original."""
 _ROOM = 0.8
 """Of what fits into memory: a round ends up to 17 % above what was planned."""
