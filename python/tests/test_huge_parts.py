@@ -8,9 +8,12 @@ import numpy as np
 import pytest
 from huge_meshes import torus, write_ply
 
+pytest.importorskip("distributed")
+
 from laplacian_simplify.files.errors import MeshFileError
-from laplacian_simplify.huge import surface_library
+from laplacian_simplify.huge import surface_library, tasks
 from laplacian_simplify.huge.array_file import ArrayFile, is_whole, save_arrays
+from laplacian_simplify.huge.comparison import Surface, nearest_in_parts
 from laplacian_simplify.huge.edges import edges_between_blocks, edges_of_block
 from laplacian_simplify.huge.gather import count_foreign, gather
 from laplacian_simplify.huge.grid import SIDE, CellTable, Grid, Layout, cells_of, paths_of
@@ -18,6 +21,7 @@ from laplacian_simplify.huge.layout import Histogram, divide
 from laplacian_simplify.huge.plan import common_cost, held_back, next_round, shares, sizes_for
 from laplacian_simplify.huge.samples import spread
 from laplacian_simplify.huge.scatter import scatter
+from laplacian_simplify.huge.stages import Task
 from laplacian_simplify.huge.stl_source import check_collisions, hashed
 
 SQUARE = np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
@@ -28,6 +32,34 @@ def test_distances_to_a_square() -> None:
     points = np.array([[1.0, 1, 3], [7, 4, 4], [2, 2, 0], [-3, -4, 0]])
     # The search is in single precision where it decides, the distance in double.
     assert surface_library.distances(SQUARE, TWO, points, 2) == pytest.approx([3, 5, 0, 5], rel=1e-14, abs=1e-14)
+
+
+class InThisProcess:
+    """Stages whose tasks are done at once."""
+
+    def __init__(self, folder: Path) -> None:
+        self.path, self.keys, self.work = folder, [], self
+
+    def do(self, _stage: str, key: str, given: list[Task]) -> list[dict[str, object]]:
+        self.keys.append((key, len(given)))
+        return [tasks.run(print, task.function, {"folder": str(self.path), **task.arguments}) for task in given]
+
+
+def test_distances_to_a_surface_in_parts_are_those_to_the_whole(tmp_path: Path) -> None:
+    """However small the reach is that is tried first; parts that are far from all points are not looked at."""
+    offsets = np.array([0.0, 40, 1000])
+    surfaces = []
+    for k, x in enumerate(offsets):
+        positions = SQUARE + np.array([x, 0, 0])
+        save_arrays(tmp_path / f"{k}.block", {"positions": positions, "triangles": TWO})
+        box = {"low": positions.min(axis=0).tolist(), "high": positions.max(axis=0).tolist()}
+        surfaces.append(Surface([], f"{k}.block", box, 2))
+    points = np.array([[2.0, 2, 0.01], [2, 2, 3], [19, 2, 0], [26, 2, 0], [42, 2, 0]])
+    stages = InThisProcess(tmp_path)
+    found = nearest_in_parts(stages, "there", surfaces, points, 0.1, "mesh")
+    assert found == pytest.approx([0.01, 3, 15, 14, 0], rel=1e-12)
+    assert stages.keys[0] == ("there-0", 2)
+    assert len(stages.keys) > 2
 
 
 def test_the_descriptor_sees_the_tip() -> None:

@@ -20,7 +20,7 @@ _WIDER = 4
 
 
 @dataclass(frozen=True)
-class _Surface:
+class Surface:
     """A part of one."""
 
     parts: list[Any]
@@ -49,10 +49,9 @@ class Comparison:
         """In percent of the diagonal of the box before."""
         after = self._sample_result()
         faces = [block["before"] for block in self._done.rounds[0]["files"]]
-        before = [_Surface(self._parts[k], "", box, faces[k]) for k, box in enumerate(self._before)]
+        before = [Surface(self._parts[k], "", box, faces[k]) for k, box in enumerate(self._before)]
         result = [
-            _Surface([], block["file"], box, block["faces"])
-            for block, box in zip(self._done.blocks, after, strict=True)
+            Surface([], block["file"], box, block["faces"]) for block, box in zip(self._done.blocks, after, strict=True)
         ]
         points, weights = self._points(self._before)
         corners = np.concatenate([self._read(answer, "corners") for answer in self._before])
@@ -69,6 +68,9 @@ class Comparison:
             "rms": percent * float(np.sqrt(sum(squares) / 2)),
             "feature_rms": percent * float(np.sqrt(np.mean(features**2))) if len(features) else 0.0,
         }
+
+    def _nearest(self, key: str, surfaces: list[Surface], points: Array, reach: float) -> Array:
+        return nearest_in_parts(self._stages, key, surfaces, points, reach, self._mesh.path)
 
     def _features(self, distances: Array) -> Array:
         """Distances at those of the sampled vertices that have the largest descriptor."""
@@ -97,44 +99,48 @@ class Comparison:
     def _read(self, answer: Answer, name: str) -> Array:
         return ArrayFile(self._folder / answer["file"]).read(name)
 
-    def _nearest(self, key: str, surfaces: list[_Surface], points: Array, reach: float) -> Array:
-        """Distances of points to a surface in parts: of each point to those parts that are near it.
 
-        A distance up to the reach is right, as no other part is nearer. Points that have none yet are looked at again
-        with a larger reach.
-        """
-        best = np.full(len(points), np.inf)
-        pending = np.arange(len(points))
-        turn = 0
-        while len(pending):
-            written = save_arrays(
-                self._folder / f"{key}-{turn}.points", {"points": points[pending], "numbers": pending}
-            )
-            tasks = [
-                self._task(surface, reach, written["file"], f"{key}-{turn}.{k}.distances")
-                for k, surface in enumerate(surfaces)
-                if is_near(points[pending], surface.box["low"], surface.box["high"], reach).any()
-            ]
-            for answer in self._stages.do("measure", f"{key}-{turn}", tasks):
-                np.minimum.at(best, self._read(answer, "numbers"), self._read(answer, "distances"))
-            pending = pending[best[pending] > reach]
-            reach *= _WIDER
-            turn += 1
-        return best
+def nearest_in_parts(
+    stages: Stages, key: str, surfaces: list[Surface], points: Array, reach: float, shown: str
+) -> Array:
+    """Distances of points to a surface in parts: of each point to those parts that are near it.
 
-    def _task(self, surface: _Surface, reach: float, points: str, file: str) -> Task:
-        arguments = {
-            "parts": surface.parts,
-            "block": surface.block,
-            "low": surface.box["low"],
-            "high": surface.box["high"],
-            "reach": reach,
-            "points": points,
-            "threads": 1,
-            "shown": self._mesh.path,
-            "file": file,
-        }
-        return Task("nearest", arguments, block_memory(surface.faces))
+    A distance up to the reach is right, as no other part is nearer. Points that have none yet are looked at again with
+    a larger reach.
+    """
+    folder = stages.work.path
+    best = np.full(len(points), np.inf)
+    pending = np.arange(len(points))
+    turn = 0
+    while len(pending):
+        written = save_arrays(folder / f"{key}-{turn}.points", {"points": points[pending], "numbers": pending})
+        tasks = [
+            _task(surface, reach, written["file"], shown, f"{key}-{turn}.{k}.distances")
+            for k, surface in enumerate(surfaces)
+            if is_near(points[pending], surface.box["low"], surface.box["high"], reach).any()
+        ]
+        for answer in stages.do("measure", f"{key}-{turn}", tasks):
+            file = ArrayFile(folder / answer["file"])
+            np.minimum.at(best, file.read("numbers"), file.read("distances"))
+        pending = pending[best[pending] > reach]
+        reach *= _WIDER
+        turn += 1
+    return best
+
+
+def _task(surface: Surface, reach: float, points: str, shown: str, file: str) -> Task:
+    arguments = {
+        "parts": surface.parts,
+        "block": surface.block,
+        "low": surface.box["low"],
+        "high": surface.box["high"],
+        "reach": reach,
+        "points": points,
+        "threads": 1,
+        "shown": shown,
+        "file": file,
+    }
+    return Task("nearest", arguments, block_memory(surface.faces))
 
 
 def edges_after(stages: Stages, done: Simplified) -> dict[str, int]:
