@@ -47,17 +47,18 @@ class InThisProcess:
 
 def test_distances_to_a_surface_in_parts_are_those_to_the_whole(tmp_path: Path) -> None:
     """However small the reach is that is tried first; parts that are far from all points are not looked at."""
-    offsets = np.array([0.0, 40, 1000])
+    offsets = np.array([0.0, 40, 1000, -6])
     surfaces = []
     for k, x in enumerate(offsets):
         positions = SQUARE + np.array([x, 0, 0])
-        save_arrays(tmp_path / f"{k}.block", {"positions": positions, "triangles": TWO})
+        triangles = TWO[: 1 if k == 0 else 2]  # the first one lacks a corner of its box
+        save_arrays(tmp_path / f"{k}.block", {"positions": positions, "triangles": triangles})
         box = {"low": positions.min(axis=0).tolist(), "high": positions.max(axis=0).tolist()}
         surfaces.append(Surface([], f"{k}.block", box, 2))
-    points = np.array([[2.0, 2, 0.01], [2, 2, 3], [19, 2, 0], [26, 2, 0], [42, 2, 0]])
+    points = np.array([[2.0, 2, 0.01], [3, 2, 3], [19, 2, 0], [26, 2, 0], [42, 2, 0], [-0.05, 4, 0]])
     stages = InThisProcess(tmp_path)
     found = nearest_in_parts(stages, "there", surfaces, points, 0.1, "mesh")
-    assert found == pytest.approx([0.01, 3, 15, 14, 0], rel=1e-12)
+    assert found == pytest.approx([0.01, 3, 15, 14, 0, 1.95], rel=1e-12)
     assert stages.keys[0] == ("there-0", 2)
     assert len(stages.keys) > 2
 
