@@ -130,12 +130,12 @@ def test_a_run_that_is_killed_goes_on(source: Path, result: bytes, tmp_path: Pat
     process.wait()
     _wait_until(lambda: not _is_alive(int((tmp_path / "began").read_text())))
     assert "scatter-0.1" in _keys(tmp_path)
-    with (tmp_path / "work" / "0.1.chunk").open("r+b") as file:
-        file.seek(-1, os.SEEK_END)
-        last = file.read(1)
-        file.seek(-1, os.SEEK_END)
-        file.write(bytes([last[0] ^ 1]))
-    (tmp_path / "work" / "0.0.chunk").unlink()
+    first, *others = sorted((tmp_path / "work").glob("0.*.chunk"))
+    data = bytearray(first.read_bytes())
+    data[-1] ^= 1
+    first.write_bytes(data)
+    for chunk in others:
+        chunk.unlink()
     with (tmp_path / "work" / "journal.jsonl").open("a") as file:
         file.write('{"key": "collapse-0.7", "va')  # it was killed while it wrote
     _go_on(source, tmp_path, result)
