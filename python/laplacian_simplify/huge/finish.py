@@ -39,15 +39,7 @@ def last_run(
         shown: name of the mesh.
         file: to write.
     """
-    before: dict[str, int] = {}
-    if item is not None:
-        chunk = load(folder, item)
-        mesh = MeshArrays(chunk.positions, chunk.triangles)
-        edges = surface_library.edges(chunk.positions, chunk.triangles, np.zeros(len(chunk.positions), bool))
-        before = dict(zip(("boundary_edges_before", "non_manifold_edges_before"), edges, strict=True))
-    else:
-        block = gather(folder, parts, shown)
-        mesh = MeshArrays(block.positions, block.triangles)
+    mesh, before = _whole_mesh(folder, parts, item, shown)
     parameters = engine.parameters(target, effort, threads=len(os.sched_getaffinity(0))) | {
         "avoid_self_intersections": int(avoid_crossings),
         "clean_input": 1,
@@ -62,6 +54,17 @@ def last_run(
     }
     counts = {"faces": len(outcome.faces), "vertices": len(outcome.vertices)}
     return {**save_arrays(folder / file, arrays), **counts, "report": outcome.report | before}
+
+
+def _whole_mesh(folder: Path, parts: list[Part], item: Item | None, shown: str) -> tuple[MeshArrays, dict[str, int]]:
+    """What is left, and of an input as it is the edges that nobody has counted yet."""
+    if item is None:
+        block = gather(folder, parts, shown)
+        return MeshArrays(block.positions, block.triangles), {}
+    chunk = load(folder, item)
+    edges = surface_library.edges(chunk.positions, chunk.triangles, np.zeros(len(chunk.positions), bool))
+    names = ("boundary_edges_before", "non_manifold_edges_before")
+    return MeshArrays(chunk.positions, chunk.triangles), dict(zip(names, edges, strict=True))
 
 
 def write_mesh(folder: Path, files: list[str], output: str, shown: str, single: bool) -> dict[str, Any]:
