@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
     from .filters import classify, descriptor, levels_of_detail, smooth, weighted
+    from .huge.api import simplify_huge
+    from .huge.report import HugeReport
     from .levels import LevelReport
     from .plugin import PYMESHLAB_VERSION, load, plugin_path
     from .report import (
@@ -47,6 +49,8 @@ _MODULES = {
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
     "filters": ("classify", "descriptor", "levels_of_detail", "smooth", "weighted"),
+    "huge.api": ("simplify_huge",),
+    "huge.report": ("HugeReport",),
     "levels": ("LevelReport",),
     "plugin": ("PYMESHLAB_VERSION", "load", "plugin_path"),
     "report": (
@@ -68,6 +72,7 @@ __all__ = [
     "ClassificationReport",
     "DecimationReport",
     "DescriptorReport",
+    "HugeReport",
     "LevelReport",
     "MeshFileError",
     "MeshFileWarning",
@@ -83,6 +88,7 @@ __all__ = [
     "plugin_path",
     "read_mesh",
     "simplify",
+    "simplify_huge",
     "simplify_many",
     "smooth",
     "weighted",

@@ -211,11 +211,11 @@ def _target(mesh: MeshArrays, numbers: Mapping[str, float]) -> tuple[MeshArrays,
     if not selected_only:
         mesh = replace(mesh, selected=None)
     among = selected if selected_only else len(mesh.faces)
-    target = numbers.get("target_faces", 0) or _rounded(numbers["target_percent"] / 100 * among)
+    target = numbers.get("target_faces", 0) or rounded(numbers["target_percent"] / 100 * among)
     return mesh, len(mesh.faces) - among + max(int(target), 1)
 
 
-def _rounded(value: float) -> int:
+def rounded(value: float) -> int:
     """Halves go up, as in the filter."""
     return math.floor(value) + (value - math.floor(value) >= 0.5)
 

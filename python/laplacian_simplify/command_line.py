@@ -61,6 +61,10 @@ def _main(options: argparse.Namespace) -> int:
             from .batch.command import run_batch
 
             return run_batch(options, values)
+        if options.huge:
+            from .huge.command import run_huge
+
+            return run_huge(options, values)
         if command.has_levels:
             return _levels(command, options, values)
         files = files_of(options)
@@ -69,7 +73,7 @@ def _main(options: argparse.Namespace) -> int:
     except ValueError as error:
         return _fail(2, _with_option_name(str(error)))
     except KeyboardInterrupt:
-        return _fail(STOPPED, "stopped; " + (_KEPT if options.batch else "nothing was written"))
+        return _fail(STOPPED, "stopped; " + (_KEPT if options.batch or options.huge else "nothing was written"))
     except MissedTargetError as error:
         return _fail(MISSED, f"{error}; nothing was written")
     except (OSError, RuntimeError, ImportError) as error:
@@ -82,7 +86,7 @@ def _main(options: argparse.Namespace) -> int:
 def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     """The parameters that were given, all of them in their range."""
     names = [row.id for row in command.filter.parameters if row.id not in WITHOUT_OPTION]
-    values = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
+    values = {name: getattr(options, name) for name in names if getattr(options, name, None) is not None}
     bound: dict[str, Any] = values.pop("max_error", {})  # a length is checked once the mesh is known
     may_lack_a_target = command.has_levels or not command.filter.has("max_error")
     if not may_lack_a_target and not bound and not SHORT_NAMES.keys() & values.keys():

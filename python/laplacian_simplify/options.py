@@ -4,13 +4,14 @@
 
 import argparse
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from typing import Any, NoReturn
 
 from . import filters as functions
 from .batch.arguments import add_batch_parser
 from .error_bound import MAX_ERROR_HELP, MAX_ERRORS_HELP, error_bound
+from .huge.arguments import PARAMETERS, add_huge_parser
 from .report import Report
 from .streams import show
 from .tables import Filter, Parameter, filter_named, filters
@@ -145,11 +146,14 @@ def make_parser() -> argparse.ArgumentParser:
         if command.name == "simplify":
             subparser.prog = os.environ.get(PROGRAM_NAME, subparser.prog)
         _add_options(subparser, command, row)
-        subparser.set_defaults(command=command, batch=False)
+        subparser.set_defaults(command=command, batch=False, huge=False)
         if command.name == "simplify":
             batch = add_batch_parser(subparsers, **examples("batch"))
             add_parameters(batch, command, row)
-            batch.set_defaults(command=command)
+            batch.set_defaults(command=command, huge=False)
+            huge = add_huge_parser(subparsers)
+            add_parameters(huge, command, row, PARAMETERS)
+            huge.set_defaults(command=command, batch=False)
     return parser
 
 
@@ -177,16 +181,19 @@ def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter)
     add_parameters(parser, command, row)
 
 
-def add_parameters(parser: argparse.ArgumentParser, command: Command, row: Filter) -> None:
-    """The options that are parameters of the filter."""
+def add_parameters(
+    parser: argparse.ArgumentParser, command: Command, row: Filter, only: Collection[str] | None = None
+) -> None:
+    """The options that are parameters of the filter, all of them by default."""
     targets: argparse._ActionsContainer = parser
     if row.has("target_faces"):
-        targets = parser.add_mutually_exclusive_group(required=not row.has("max_error"))
+        has_bound = row.has("max_error") and (only is None or "max_error" in only)
+        targets = parser.add_mutually_exclusive_group(required=not has_bound)
     elif command.has_levels:
         targets = parser.add_mutually_exclusive_group(required=True)
     other_defaults = dict(command.other_defaults)
     for parameter in row.parameters:
-        if parameter.id in WITHOUT_OPTION:
+        if parameter.id in WITHOUT_OPTION or (only is not None and parameter.id not in only):
             continue
         group = targets if parameter.id in SHORT_NAMES or parameter.type == "numbers" else parser
         _add_option(group, parameter, other_defaults.get(parameter.id))

@@ -5,9 +5,7 @@
 import json
 import os
 import shutil
-import socket
 import subprocess
-import sys
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -26,6 +24,7 @@ from batch_runs import (
     write_sheet,
 )
 from conftest import faces_in, run_command
+from dask_cluster import has_workers, running_cluster
 
 pytest.importorskip("distributed")
 
@@ -149,27 +148,8 @@ def test_bytes_are_those_of_one_worker_and_of_simplify(first: Any, tmp_path: Pat
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator["tuple[str, subprocess.Popen[bytes]]"]:
     """A scheduler on this machine with one worker: its address and process."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
-    port = address.rpartition(":")[2]
-    dask = [sys.executable, "-P", "-m", "dask"]
-    folder = ["--local-directory", str(tmp_path / "dask")]
-    run = {"env": with_hooks(), "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    scheduler = subprocess.Popen(
-        [*dask, "scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard", "--dashboard-address", ":0"],
-        **run,  # type: ignore[call-overload]
-    )
-    worker = subprocess.Popen(
-        [*dask, "worker", address, "--nthreads", "1", "--no-dashboard", *folder],
-        **run,  # type: ignore[call-overload]
-    )
-    try:
-        yield address, scheduler
-    finally:
-        for process in (worker, scheduler):
-            process.terminate()
-            process.wait(timeout=60)
+    with running_cluster(tmp_path / "dask", with_hooks()) as found:
+        yield found
 
 
 def test_workers_of_a_scheduler(cluster: Any, first: Any, tmp_path: Path) -> None:
@@ -177,7 +157,7 @@ def test_workers_of_a_scheduler(cluster: Any, first: Any, tmp_path: Path) -> Non
     address, scheduler = cluster
     for name, side in (("ends_the_worker_once", 12), ("sheet_1", 9), ("sheet_3", 11)):
         write_sheet(tmp_path / "meshes" / f"{name}.off", side)
-    wait_until(lambda: _has_workers(address))
+    wait_until(lambda: has_workers(address))
     done = run_batch(tmp_path / "meshes", tmp_path / "results", *FAST, "--scheduler", address)
     assert done.returncode == 0, done.stdout + done.stderr
     assert Counter(row["status"] for row in manifest_rows(tmp_path / "results")) == {"done": 3}

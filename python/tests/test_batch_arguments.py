@@ -12,9 +12,10 @@ from batch_runs import write_sheet
 from conftest import assert_one_line, run_command
 
 import laplacian_simplify as ls
-from laplacian_simplify.batch.arguments import bytes_of
 from laplacian_simplify.batch.inputs import find_meshes
-from laplacian_simplify.batch.mesh_process import MeshProcess
+from laplacian_simplify.batch.worker import PROCESS
+from laplacian_simplify.workers.arguments import bytes_of
+from laplacian_simplify.workers.process import WorkerProcess
 
 pytest.importorskip("distributed")
 
@@ -109,8 +110,8 @@ def test_patterns_keep_the_folders_below_their_fixed_part(tmp_path: Path) -> Non
 def test_what_needs_more_memory_than_it_may_have_is_refused(tmp_path: Path) -> None:
     """By the process, where the estimate was too low; which then does the next one."""
     write_sheet(tmp_path / "sheet.off", 150)
-    process = MeshProcess(str(tmp_path), 1)
-    job = {
+    process = WorkerProcess(str(tmp_path), PROCESS)
+    arguments = {
         "function": "simplify",
         "source": str(tmp_path / "sheet.off"),
         "staged": str(tmp_path / "mesh.off"),
@@ -119,7 +120,7 @@ def test_what_needs_more_memory_than_it_may_have_is_refused(tmp_path: Path) -> N
         "values": {"target_percent": 10, "threads": 1},
     }
     try:
-        answer = process.run({**job, "memory": 1 << 20}, 100)
+        answer = process.run({"function": "work:run", "arguments": arguments, "memory": 1 << 20}, 100)
         assert answer["status"] in ("refused", "crashed")
         assert answer["status"] == "crashed" or answer["again"]
     finally:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pymeshlab
 import pytest
+import tomllib
 from conftest import SAMPLE_MESHES
 
 import laplacian_simplify as ls

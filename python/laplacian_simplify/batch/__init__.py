@@ -2,6 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Many meshes: found, handed to Dask workers within a memory budget, and written down in a manifest.
 
-``inputs`` finds the meshes, ``manifest`` knows which of them are done, ``cluster`` gives the workers, ``scheduling``
-keeps them busy, ``worker`` is what runs there, and ``mesh_process`` the process of a worker that does the meshes.
+``inputs`` finds the meshes, ``manifest`` knows which of them are done, ``scheduling`` keeps the workers busy, and
+``worker`` is what runs there.
 """

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from ..files.output_formats import OUTPUT_FORMATS
 from ..running import with_one_target
 from ..simplification import FileOptions
-from .arguments import bytes_of
+from ..workers.arguments import bytes_of
 from .command import progress as shown_progress
 from .runs import BatchReport, BatchRequest, Finished, simplify_folder
 

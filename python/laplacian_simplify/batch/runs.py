@@ -101,7 +101,7 @@ def _do(
     request: BatchRequest, waiting: list[MeshToDo], staging: str, began: Callable[[str], None], finish: Any
 ) -> None:
     try:
-        from .cluster import local_workers, workers_of
+        from ..workers.cluster import local_workers, workers_of
         from .scheduling import Conditions, do_all
     except ModuleNotFoundError as missing:
         raise ImportError(

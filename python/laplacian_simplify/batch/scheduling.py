@@ -3,7 +3,7 @@
 """Keeps the workers busy: a mesh is handed out when it fits into what the others leave of the memory."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from uuid import uuid4
 
@@ -11,9 +11,10 @@ from distributed import Future, KilledWorker, as_completed
 
 from ..files.errors import MeshFileError
 from ..signals import signals_let_in
-from .cluster import Workers
+from ..workers.cluster import Workers
+from ..workers.pool import Processes
 from .inputs import MeshToDo
-from .worker import MeshProcesses, MeshTask, do_mesh
+from .worker import PROCESS, MeshTask, do_mesh
 
 Row = dict[str, Any]
 Finish = Callable[[MeshToDo, Row], None]
@@ -42,7 +43,7 @@ def do_all(meshes: list[MeshToDo], workers: Workers, conditions: Conditions, fin
     values = {"threads": workers.threads, **conditions.values}
     name = f"laplacian-simplify-{uuid4()}"
     run = _Run(name, workers, values, conditions, meshes, finish)
-    workers.client.register_plugin(MeshProcesses(name, values["threads"] or workers.threads))
+    workers.client.register_plugin(Processes(name, replace(PROCESS, threads=values["threads"] or workers.threads)))
     try:
         run.to_the_end()
     finally:

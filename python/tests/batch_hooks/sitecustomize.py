@@ -8,7 +8,7 @@ import sys
 import threading
 from pathlib import Path
 
-if "laplacian_simplify.batch.mesh_process" in " ".join(sys.orig_argv):
+if "laplacian_simplify.workers.process" in " ".join(sys.orig_argv):
     from laplacian_simplify import work
 
     plain = work.run

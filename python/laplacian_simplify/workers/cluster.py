@@ -27,11 +27,13 @@ class Workers:
 
     client: Client
     slots: int
-    """Meshes that are worked on at a time."""
+    """Jobs that are worked on at a time."""
     memory: int
     """Bytes for all of them, where nobody says how many."""
+    memory_of_one: int
+    """Bytes for one of them, where it is the only one at work."""
     threads: int
-    """For each mesh, where nobody says how many."""
+    """For each job, where nobody says how many."""
     dashboard: str
     """Address of a page that shows the work; empty without bokeh."""
 
@@ -40,7 +42,7 @@ class Workers:
 def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
     """Workers of this process, one a processor where no number is given.
 
-    They are threads, as the meshes are done in processes of their own.
+    They are threads, as the jobs are done in processes of their own.
     """
     count = count or CPU_COUNT
     settings = {"temporary-directory": scratch, "distributed.scheduler.work-stealing": False}
@@ -52,14 +54,14 @@ def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
             threads_per_worker=1,
             processes=False,
             memory_limit=0,  # each process has its own
-            dashboard_address="127.0.0.1:0" if find_spec("bokeh") else None,
+            dashboard_address="127.0.0.1:0",  # without one it would take a certain port, and say so where it is taken
             silence_logs=logging.CRITICAL,
         ) as cluster,
         Client(cluster, set_as_default=False) as client,
     ):
         memory = int(_SHARE_OF_MEMORY * MEMORY_LIMIT)
         dashboard = client.dashboard_link if find_spec("bokeh") else ""
-        yield Workers(client, count, memory, max(CPU_COUNT // count, 1), dashboard)
+        yield Workers(client, count, memory, memory, max(CPU_COUNT // count, 1), dashboard)
 
 
 @contextmanager
@@ -77,10 +79,11 @@ def workers_of(address: str) -> Iterator[Workers]:
         with client:
             _compare_versions(client, address)
             info = client.scheduler_info(n_workers=-1)["workers"].values()
-            memory = sum(worker["memory_limit"] or 0 for worker in info)
+            limits = [worker["memory_limit"] or MEMORY_LIMIT for worker in info]
             slots = sum(worker["nthreads"] for worker in info)
             link = client.dashboard_link or ""
-            yield Workers(client, slots, int(_SHARE_OF_MEMORY * (memory or MEMORY_LIMIT)), 1, link)
+            memory, memory_of_one = (int(_SHARE_OF_MEMORY * number) for number in (sum(limits), min(limits)))
+            yield Workers(client, slots, memory, memory_of_one, 1, link)
 
 
 def _compare_versions(client: Client, address: str) -> None:

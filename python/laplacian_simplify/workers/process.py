@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A process that does one mesh after the other; what a mesh may do to it, it does to this process alone.
+"""A process that does one job after the other; what a mesh may do to it, it does to this process alone.
 
-It goes the road of the command simplify, file by file, so results are the same, textures and all.
+A job is a function of this package, which gets a function to call with the stage that begins, then its arguments.
 """
 
 import contextlib
@@ -14,21 +14,23 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeAlias
 
 from ..child import cause_of, die_with
-from ..plugin import load
 
 Job: TypeAlias = dict[str, Any]
 Answer: TypeAlias = dict[str, Any]
 
 _BOOT = (
     "import sys; sys.path[:] = filter(None, sys.path); import json; sys.path[:] = json.loads(sys.argv[2]); "
-    "from laplacian_simplify.batch.mesh_process import serve; serve()"
+    "from laplacian_simplify.workers.process import serve; serve()"
 )
-_MOST_MESHES = 500  # then a new one takes over, whatever this one may have lost of its memory
+_MOST_JOBS = 500  # then a new one takes over, whatever this one may have lost of its memory
 # What is said of the machine, not of the mesh: the next run tries again.
 _PASSING = (
     "not enough memory",
@@ -40,20 +42,34 @@ _PASSING = (
 )
 
 
-class MeshProcess:
+@dataclass(frozen=True)
+class Kind:
+    """What processes of one command have in common."""
+
+    threads: int
+    """What their libraries may use by themselves."""
+    prepare: str = ""
+    """A function that is called first, so that what it takes is not counted as memory of a job."""
+    doing: Mapping[str, str] = field(default_factory=dict)
+    """How messages name stages."""
+
+
+class WorkerProcess:
     """The process, from outside."""
 
-    def __init__(self, scratch: str, threads: int) -> None:
+    def __init__(self, scratch: str, kind: Kind) -> None:
         """Starts it.
 
         Args:
             scratch: a folder for its scratch files, which go when it ends.
-            threads: what its libraries may use by themselves.
+            kind: what it is for.
         """
+        self._kind = kind
         self._scratch = TemporaryDirectory(prefix="process-", dir=scratch, ignore_cleanup_errors=True)
         self._answers, answers = os.pipe()
-        words = [sys.executable, "-c", _BOOT, json.dumps([os.getpid(), answers]), json.dumps(sys.path)]
-        numbers = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), str(threads))
+        about = json.dumps([os.getpid(), answers, kind.prepare])
+        words = [sys.executable, "-c", _BOOT, about, json.dumps(sys.path)]
+        numbers = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), str(kind.threads))
         try:
             self._process = subprocess.Popen(
                 words,
@@ -70,21 +86,22 @@ class MeshProcess:
         finally:
             os.close(answers)
         self._received = b""
-        self._meshes = 0
+        self._jobs = 0
 
     @property
     def is_worn(self) -> bool:
         """Whether another one should take its place."""
-        return self._meshes >= _MOST_MESHES or self._process.poll() is not None
+        return self._jobs >= _MOST_JOBS or self._process.poll() is not None
 
     def run(self, job: Job, seconds: float) -> Answer:
-        """Does a mesh. After an answer with ``"status": "crashed"`` the process is gone.
+        """Does a job. After an answer with ``"status": "crashed"`` the process is gone.
 
         Args:
-            job: arguments of ``work.run``, and memory, the bytes that it may take more than it has.
+            job: function, such as "work:run", which returns a dictionary; its arguments; and memory, the bytes that it
+                may take more than it has.
             seconds: how long it may take.
         """
-        self._meshes += 1
+        self._jobs += 1
         deadline = time.monotonic() + seconds
         stage = "starting"
         try:
@@ -97,14 +114,17 @@ class MeshProcess:
                 stage = answer["stage"]
         except TimeoutError:
             self.end()
-            return {"status": "crashed", "reason": f"{_DOING[stage]} took more than {seconds:g} s"}
+            return {"status": "crashed", "reason": f"{self._doing(stage)} took more than {seconds:g} s"}
         except BrokenPipeError:
             pass
         self._process.wait()
         cause = cause_of(self._process.returncode)
         self.end()
         hint = ", as happens where memory runs out" if cause == "SIGKILL" else ""
-        return {"status": "crashed", "reason": f"{_DOING[stage]} crashed ({cause}{hint})", "cause": cause}
+        return {"status": "crashed", "reason": f"{self._doing(stage)} crashed ({cause}{hint})", "cause": cause}
+
+    def _doing(self, stage: str) -> str:
+        return self._kind.doing.get(stage, "the process for it")
 
     def _next(self, deadline: float) -> Answer | None:
         """The next line that the process says, or nothing where it has ended."""
@@ -137,17 +157,9 @@ class MeshProcess:
         self._scratch.cleanup()
 
 
-_DOING = {
-    "starting": "the process for it",
-    "reading": "reading it",
-    "working": "simplifying it",
-    "writing": "writing its result",
-}
-
-
 def serve() -> None:
     """What the process does."""
-    parent, number = json.loads(sys.argv[1])
+    parent, number, prepare = json.loads(sys.argv[1])
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C is for the one who started it
     die_with(parent)
     with os.fdopen(number, "w", encoding="utf-8", buffering=1) as answers:
@@ -155,8 +167,9 @@ def serve() -> None:
         def say(line: Answer) -> None:
             print(json.dumps(line), file=answers)
 
-        with contextlib.suppress(ImportError):  # a mesh will say it
-            load()  # so that what it takes is not counted as memory of a mesh
+        if prepare:
+            with contextlib.suppress(ImportError):  # a job will say it
+                _function(prepare)()
         for line in sys.stdin.buffer:
             job = json.loads(line)
             with _memory(job.pop("memory")):
@@ -164,9 +177,12 @@ def serve() -> None:
     os._exit(0)
 
 
-def _done(job: Job, say: Any) -> Answer:
-    from .. import work
+def _function(name: str) -> Any:
+    module, _, function = name.partition(":")
+    return getattr(import_module(f"laplacian_simplify.{module}"), function)
 
+
+def _done(job: Job, say: Any) -> Answer:
     now = ""
 
     def stage(begins: str) -> None:
@@ -175,7 +191,7 @@ def _done(job: Job, say: Any) -> Answer:
         say({"stage": begins})
 
     try:
-        return {"status": "done", **work.run(stage, **job)}
+        return {"status": "done", **_function(job["function"])(stage, **job["arguments"])}
     except MemoryError:
         return {"status": "refused", "reason": "not enough memory for it; give more by --memory", "again": True}
     except (OSError, ValueError, RuntimeError) as error:

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command huge, and what it shows. Exit codes are those of simplify."""
+
+import argparse
+import json
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from ..files.errors import printable
+from ..files.staging import check_target, staged_output
+from ..following import on_a_terminal
+from ..streams import say, show, write_out
+from .report import HugeReport, HugeRequest
+from .runs import simplify_file
+
+
+def run_huge(options: argparse.Namespace, values: Mapping[str, Any]) -> int:
+    """Runs it and returns the exit code; errors as simplify_file."""
+    request = HugeRequest(
+        source=options.input,
+        output=Path(options.output),
+        values=values,
+        workers=options.workers,
+        scheduler=options.scheduler,
+        memory=options.memory,
+        work_folder=Path(options.work_folder) if options.work_folder else None,
+        block_faces=options.block_faces,
+        chunk_faces=options.chunk_faces,
+    )
+    if options.json and options.json != "-":
+        _check_report(options)
+    with shown_progress() as progress:
+        report = simplify_file(request, progress)
+    _show(options, report)
+    return 0
+
+
+def _check_report(options: argparse.Namespace) -> None:
+    """Finds out before all the work whether the report can be written."""
+    check_target(options.json)
+    for name, other in (("OUTPUT", options.output), ("INPUT", options.input)):
+        if os.path.realpath(options.json) == os.path.realpath(other):
+            raise ValueError(f"--json {printable(options.json)} is the file of {name}, which it would replace")
+
+
+def _show(options: argparse.Namespace, report: HugeReport) -> None:
+    text = json.dumps(report.to_dict(), indent=2) + "\n"
+    for note in report.notes:
+        say(f"laplacian-simplify: note: {printable(note)}")
+    title = f"{printable(options.input)} -> {printable(options.output)} in {report.seconds:.1f} s"
+    (say if options.json == "-" else show)(f"{title}\n{report}")
+    if options.json == "-":
+        write_out(text.encode())
+    elif options.json:
+        with staged_output(options.json) as staged:
+            staged.write_text(text, encoding="utf-8")
+
+
+@contextmanager
+def shown_progress() -> Iterator[Any]:
+    """Shows how far a run is where standard error is a terminal."""
+    if not on_a_terminal():
+        yield lambda *_: None
+        return
+    from tqdm import tqdm
+
+    class Bar(tqdm):  # type: ignore[misc]
+        monitor_interval = 0  # no thread that watches it
+
+    with Bar(leave=False, bar_format="{desc:<12}{bar} {n_fmt}/{total_fmt}") as bar:
+
+        def step(stage: str, done: int, total: int) -> None:
+            bar.total = total
+            bar.set_description_str(stage, refresh=False)
+            bar.n = done
+            bar.refresh()
+
+        yield step

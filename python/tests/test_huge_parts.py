@@ -1,0 +1,253 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parts of what simplifies huge meshes, on meshes whose answers are known."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from huge_meshes import torus, write_ply
+
+pytest.importorskip("distributed")
+
+from laplacian_simplify.files.errors import MeshFileError
+from laplacian_simplify.huge import surface_library, tasks
+from laplacian_simplify.huge.array_file import ArrayFile, is_whole, save_arrays
+from laplacian_simplify.huge.comparison import Surface, nearest_in_parts
+from laplacian_simplify.huge.edges import edges_between_blocks, edges_of_block
+from laplacian_simplify.huge.gather import count_foreign, gather
+from laplacian_simplify.huge.grid import SIDE, CellTable, Grid, Layout, cells_of, paths_of
+from laplacian_simplify.huge.layout import Histogram, divide
+from laplacian_simplify.huge.plan import common_cost, held_back, next_round, shares, sizes_for
+from laplacian_simplify.huge.samples import spread
+from laplacian_simplify.huge.scatter import scatter
+from laplacian_simplify.huge.stages import Task
+from laplacian_simplify.huge.stl_source import check_collisions, hashed
+
+SQUARE = np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
+TWO = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
+
+
+def test_distances_to_a_square() -> None:
+    points = np.array([[1.0, 1, 3], [7, 4, 4], [2, 2, 0], [-3, -4, 0]])
+    # The search is in single precision where it decides, the distance in double.
+    assert surface_library.distances(SQUARE, TWO, points, 2) == pytest.approx([3, 5, 0, 5], rel=1e-14, abs=1e-14)
+
+
+class InThisProcess:
+    """Stages whose tasks are done at once."""
+
+    def __init__(self, folder: Path) -> None:
+        self.path, self.keys, self.work = folder, [], self
+
+    def do(self, _stage: str, key: str, given: list[Task]) -> list[dict[str, object]]:
+        self.keys.append((key, len(given)))
+        return [tasks.run(print, task.function, {"folder": str(self.path), **task.arguments}) for task in given]
+
+
+def test_distances_to_a_surface_in_parts_are_those_to_the_whole(tmp_path: Path) -> None:
+    """However small the reach is that is tried first; parts that are far from all points are not looked at."""
+    offsets = np.array([0.0, 40, 1000, -6])
+    surfaces = []
+    for k, x in enumerate(offsets):
+        positions = SQUARE + np.array([x, 0, 0])
+        triangles = TWO[: 1 if k == 0 else 2]  # the first one lacks a corner of its box
+        save_arrays(tmp_path / f"{k}.block", {"positions": positions, "triangles": triangles})
+        box = {"low": positions.min(axis=0).tolist(), "high": positions.max(axis=0).tolist()}
+        surfaces.append(Surface([], f"{k}.block", box, 2))
+    points = np.array([[2.0, 2, 0.01], [3, 2, 3], [19, 2, 0], [26, 2, 0], [42, 2, 0], [-0.05, 4, 0]])
+    stages = InThisProcess(tmp_path)
+    found = nearest_in_parts(stages, "there", surfaces, points, 0.1, "mesh")
+    assert found == pytest.approx([0.01, 3, 15, 14, 0, 1.95], rel=1e-12)
+    assert stages.keys[0] == ("there-0", 2)
+    assert len(stages.keys) > 2
+
+
+def test_the_descriptor_sees_the_tip() -> None:
+    """A pyramid: flat nowhere, and the borders of a square in a plane are."""
+    assert surface_library.descriptor(SQUARE, TWO) == pytest.approx(np.zeros(4), abs=1e-12)
+    tip = np.append(SQUARE, [[2.0, 2, 5]], axis=0)
+    fan = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], np.uint32)
+    assert np.argmax(surface_library.descriptor(tip, fan)) == 4
+
+
+def test_edges_within_and_between_blocks() -> None:
+    """Two squares with a common side, each a block, and a fin on that side in the first one."""
+    ids = np.array([10, 11, 12, 13, 20])
+    positions = np.append(SQUARE, [[4.0, 2, 3]], axis=0)
+    fixed = np.array([False, True, True, False, False])
+    first = edges_of_block(ids, positions, np.append(TWO, [[1, 2, 4]], axis=0).astype(np.uint32), fixed)
+    assert (first.boundary, first.non_manifold) == (5, 0)
+    assert first.shared["edge_ends"].tolist() == [[11, 12]]
+    assert first.shared["edge_faces"].tolist() == [2]
+    second = edges_of_block(
+        np.array([11, 12, 15, 16]), SQUARE, np.array([[0, 1, 3], [1, 2, 3]], np.uint32), np.arange(4) < 2
+    )
+    both = [first.shared, second.shared]
+    ends, faces = [row["edge_ends"] for row in both], [row["edge_faces"] for row in both]
+    assert edges_between_blocks(ends, faces) == (0, 1)
+    assert edges_between_blocks(ends[1:], faces[1:]) == (1, 0)
+    assert edges_between_blocks([], []) == (0, 0)
+
+
+def test_samples_are_spread_by_area() -> None:
+    """One of two triangles has a hundredth of the area."""
+    positions = np.array([[0.0, 0, 0], [10, 0, 0], [0, 10, 0], [20, 0, 0], [21, 0, 0], [20, 1, 0]])
+    points, area = spread(positions, np.array([[0, 1, 2], [3, 4, 5]]), 1010)
+    assert area == pytest.approx(50.5)
+    assert np.count_nonzero(points[:, 0] >= 20) == 10
+    assert (points[:, 0] + points[:, 1] <= np.where(points[:, 0] >= 20, 21, 10) + 1e-9).all()
+
+
+def test_cells_of_a_level_are_within_those_above() -> None:
+    grid = Grid.around([-1.0, 5.0, 0.0], [3.0, 6.0, 0.5])
+    places = grid.places(np.array([[-1.0, 5, 0], [3, 6, 0.5], [1.01, 5.5, 0.25]]))
+    assert places[0].tolist() == [0, 0, 0]
+    assert places[1, 0] == SIDE**3 - 1  # the far side is inside
+    assert (paths_of(places, 2) >> 21 == paths_of(places, 1)).all()
+    assert (paths_of(places, 1) >> 21 == cells_of(places, 0)).all()
+
+
+def test_a_divided_cell_has_a_table_of_its_own() -> None:
+    grid = Grid.around([0.0, 0, 0], [1.0, 1, 1])
+    tables = np.zeros((2, SIDE**3), np.int32)
+    tables[0, 0], tables[1] = -3, 7
+    tables[1, 0] = 9
+    points = np.array([[0.5, 0.5, 0.5], [0.007, 0, 0], [0.0, 0, 0]])
+    assert CellTable(tables).at(grid.places(points)).tolist() == [0, 7, 9]
+
+
+def _histogram(faces: dict[tuple[int, int, int], int]) -> Histogram:
+    histogram = Histogram()
+    for cell, count in faces.items():
+        histogram.faces[cell] = count
+    return histogram
+
+
+def test_blocks_have_at_most_so_many_faces_and_planes_avoid_seams() -> None:
+    histogram = _histogram({(i, 0, 0): 10 for i in range(20)})
+    plain = divide(histogram, 120)
+    assert sorted(plain.sizes) == [100, 100]
+    assert sum(plain.sizes) == histogram.total
+    histogram.seams[9:11, 0, 0] = 30
+    moved = divide(histogram, 120)
+    cut = int(np.flatnonzero(np.diff(moved.blocks[0].reshape((SIDE,) * 3)[:20, 0, 0]))[0])
+    assert cut not in (8, 9, 10)
+    assert max(moved.sizes) <= 120
+
+
+def test_a_full_cell_is_divided_by_the_level_below() -> None:
+    histogram = _histogram({(3, 4, 5): 100, (90, 90, 90): 5})
+    path = (3 * SIDE + 4) * SIDE + 5
+    assert histogram.too_full(0, 40) == [path]
+    histogram.add_inner(0, (path << 21) + np.arange(10), np.full(10, 10))
+    division = divide(histogram, 40)
+    assert sum(division.sizes) == 105
+    assert max(division.sizes) <= 40
+    assert len(division.blocks) == 2
+    del histogram.inner[(0, path)]
+    with pytest.raises(MeshFileError, match="more than 40 faces are at one place"):
+        divide(histogram, 40)
+
+
+def test_every_face_is_in_one_block_and_knows_which_vertices_are_shared(tmp_path: Path) -> None:
+    vertices, faces = torus(60, 40)
+    write_ply(tmp_path / "torus.ply", vertices, faces)
+    grid = Grid.around(vertices.min(axis=0).tolist(), vertices.max(axis=0).tolist())
+    histogram = Histogram()
+    centroids = grid.centroid_places(vertices, faces)
+    cells, counts = np.unique(cells_of(centroids, 0), return_counts=True)
+    histogram.add(cells, counts)
+    division = divide(histogram, 1000)
+    Layout.save(tmp_path / "0.layout", division.blocks, division.pilots)
+    parts: dict[int, list[list[object]]] = {}
+    for k, begin in enumerate(range(0, len(faces), 700)):
+        item = ["input", str(tmp_path / "torus.ply"), begin, min(begin + 700, len(faces))]
+        for number, *row in scatter(tmp_path, item, grid, "0.layout", True, f"{k}.chunk")["toc"]:
+            parts.setdefault(number, []).append([f"{k}.chunk", *row])
+    found, users, fixed_in = [], [set() for _ in vertices], [set() for _ in vertices]
+    home = Layout.read(tmp_path / "0.layout").blocks.at(grid.places(vertices))
+    for block, size in enumerate(division.sizes):
+        mesh = gather(tmp_path, parts[block], "torus")
+        assert np.array_equal(mesh.positions, vertices[mesh.ids])
+        assert len(mesh.triangles) == size
+        assert count_foreign(tmp_path, parts[block]) == len(mesh.foreign)
+        assert len(gather(tmp_path, parts[-1 - block], "torus").triangles) > 0
+        found.append(mesh.ids[mesh.triangles])
+        for vertex in mesh.ids:
+            users[vertex].add(block)
+            if home[vertex] != block or vertex in mesh.foreign:
+                fixed_in[vertex].add(block)
+    assert np.array_equal(np.sort(np.concatenate(found), axis=0), np.sort(faces, axis=0))
+    assert all(fixed == used for used, fixed in zip(users, fixed_in, strict=True) if len(used) > 1)
+    alone = sum(len(used) == 1 for used in users)
+    fixed_alone = sum(len(used) == 1 and bool(fixed) for used, fixed in zip(users, fixed_in, strict=True))
+    assert fixed_alone < 0.1 * alone  # few too many
+
+
+def test_one_cost_for_all_blocks() -> None:
+    """Blocks of 1,000 faces, of which one keeps a share of 1 / cost and the other of 1 / (100 cost)."""
+    cost = np.geomspace(1, 1e4, 50)
+    pilots = [
+        {"block": 0, "curve": np.stack([100 * cost, 1 / cost], axis=1).tolist()},
+        {"block": 1, "curve": np.stack([cost, 1 / cost], axis=1).tolist()},
+    ]
+    # 1000 * 100 / c + 1000 / c = 202: what is left of the first is a hundred times as much.
+    assert common_cost(pilots, [1000, 1000], 202) == pytest.approx(500, rel=1e-3)
+
+
+def test_shares_add_up() -> None:
+    surveys = [
+        {"faces": 1000, "curve": [(1.0, 900), (10.0, 300), (100.0, 100)]},
+        {"faces": 333, "curve": [(1.0, 330), (10.0, 320), (100.0, 90)]},
+        {"faces": 50, "curve": []},
+    ]
+    for target in (1200, 700, 301):
+        assert sum(shares(surveys, target)) == target
+    assert sum(shares(surveys, 5)) == 100 + 90 + 50  # what the seams hold
+
+
+def test_rounds() -> None:
+    sizes = sizes_for(2 << 30, None)
+    assert sizes.block > 1_000_000
+    assert next_round(sizes.last, 1000, sizes, []) is None
+    first = next_round(17_000_000, 170_000, sizes, [])
+    assert first is not None
+    assert (first.kind, first.goal) == ("collapse", 12 * 170_000)
+    assert held_back(first, 17_000_000, 300_000) == 10 * 300_000  # seams cannot shrink in their own round
+    stuck = [{"kind": "collapse", "before": 9_000_000, "after": 8_900_000}]
+    with pytest.raises(MeshFileError, match="give more by --memory"):
+        next_round(8_900_000, 340_000, sizes, stuck)
+    kinds, done, faces = [], [], 100_000_000
+    while plan := next_round(faces, 5_000_000, sizes, done):
+        kinds.append(plan.kind)
+        done.append({"kind": plan.kind, "before": faces, "after": plan.goal})
+        faces = plan.goal
+    assert kinds == ["collapse", "first", "second"]
+    assert faces == 5_000_000
+
+
+def test_different_vertices_with_one_hash_are_refused() -> None:
+    points = np.array([[1, 2, 3], [1, 3, 2], [2, 1, 3], [0, 0, 0]], np.float32)
+    assert len(set(hashed(points).tolist())) == 4
+    assert (hashed(points) >= 0).all()
+    with pytest.raises(MeshFileError, match="two different vertices have the same hash"):
+        check_collisions(points, points[::-1], "mesh.stl")
+
+
+def test_files_of_arrays(tmp_path: Path) -> None:
+    arrays = {"a": np.arange(12.0).reshape(4, 3), "none": np.empty((0, 2), np.int64), "b": np.arange(5, dtype=np.int32)}
+    written = save_arrays(tmp_path / "x.block", arrays)
+    file = ArrayFile(tmp_path / "x.block")
+    for name, array in arrays.items():
+        assert np.array_equal(file.read(name), array)
+        assert file.read(name).dtype == array.dtype
+    assert file.read("a", 1, 3).tolist() == arrays["a"][1:3].tolist()
+    assert is_whole(tmp_path, written)
+    with (tmp_path / "x.block").open("r+b") as stream:
+        stream.seek(-1, 2)
+        stream.write(b"\7")
+    assert not is_whole(tmp_path, written)
+    (tmp_path / "x.block").write_bytes(b"\xff" * 9)
+    with pytest.raises(MeshFileError, match="is damaged"):
+        ArrayFile(tmp_path / "x.block")
