@@ -320,7 +320,8 @@ class TestLevels : public QObject
         attributes.kinds = {ChannelKind::Scalar, ChannelKind::Scalar};
         MeshView view = View(mesh);
         view.attributes = &attributes;
-        for (const auto& [result, report] : SimplifyLevels(view, With(Effort::Balanced), Targets({200, 40}))) {
+        for (const auto& [result, report] :
+             SimplifyLevels(view, With(Effort::Balanced), Targets({200, 40}))) {
             QCOMPARE(result.cornerValues.size(), 6 * result.triangles.size());
             for (std::size_t f = 0; f < result.triangles.size(); ++f)
                 for (std::size_t k = 0; k < 6; ++k) {

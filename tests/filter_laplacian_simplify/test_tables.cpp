@@ -142,20 +142,11 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "minimum_feature_neighbours",
                                                                          "refinement_floor",
                                                                          "class_as_quality"};
-    const QStringList ofBoth{"max_error",
-                             "feature_weight",
-                             "effort",
-                             "descriptor",
-                             "boundary",
-                             "preserve_topology",
-                             "selected_only",
-                             "lock_selected_vertices",
-                             "keep_attributes",
-                             "attribute_weight",
-                             "seams",
-                             "avoid_self_intersections",
-                             "clean_input",
-                             "weld_distance"};
+    const QStringList ofBoth{
+        "max_error",       "feature_weight",    "effort",        "descriptor",
+        "boundary",        "preserve_topology", "selected_only", "lock_selected_vertices",
+        "keep_attributes", "attribute_weight",  "seams",         "avoid_self_intersections",
+        "clean_input",     "weld_distance"};
     QTest::addRow("guided") << FilterId::GuidedDecimation
                             << QStringList{"target_faces", "target_percent"} + ofBoth +
                                    QStringList{"new_layer", "measure_error", "order", "threads"};

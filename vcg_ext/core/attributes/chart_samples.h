@@ -35,7 +35,7 @@ inline std::array<float, 3> SpreadWeights(std::size_t index)
 /// the same way, in the order of the simplified faces.
 class ChartSamples
 {
-    static constexpr std::size_t kPerFace = 16;     ///< of the simplified surface
+    static constexpr std::size_t kPerFace = 16;    ///< of the simplified surface
     static constexpr std::size_t kMostPerFace = 4; ///< of the original
     static constexpr std::size_t kGrain = 512;
 
