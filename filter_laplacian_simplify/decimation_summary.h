@@ -92,10 +92,12 @@ inline Report ToReport(const vcg_ext::DecimationReport& decimation,
 }
 
 /// The numbers of levels of detail: under every id a list, one number a level, NaN where a level has none.
-inline Report ToReport(const std::vector<vcg_ext::DecimationReport>& levels)
+/// \param layout of their attributes
+inline Report ToReport(const std::vector<vcg_ext::DecimationReport>& levels,
+                       const vcg_ext::AttributeLayout& layout = {})
 {
     std::vector<Report> reports;
-    for (const auto& level : levels) reports.push_back(ToReport(level));
+    for (const auto& level : levels) reports.push_back(ToReport(level, layout));
     const auto asReal = [](const auto& value) -> double {
         if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
             return static_cast<double>(value);

@@ -82,12 +82,12 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
     parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
     auto results = vcg_ext::DecimateLevels<Mesh>(host.Mesh(), parameters, named.levels);
     if (results.front().attributesIgnored) host.Log(kStrictIgnoresAttributes);
+    const vcg_ext::AttributeLayout layout = results.front().attributes; // of all of them
     std::vector<vcg_ext::DecimationReport> reports;
     for (std::size_t i = 0; i < results.size(); ++i) {
         vcg_ext::DecimationReport report = results[i].report;
         if (report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();
         host.ReturnToOriginal();
-        const vcg_ext::AttributeLayout layout = results[i].attributes;
         Commit(host, std::move(results[i]), " " + named.names[i], parameters.cleanInput);
         report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
         const vcg_ext::Level& level = named.levels[i];
@@ -95,7 +95,7 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
             host.Log(named.names[i] + ": " + line);
         reports.push_back(std::move(report));
     }
-    return ToReport(reports);
+    return ToReport(reports, layout);
 }
 
 } // namespace laplacian_simplify
