@@ -23,7 +23,8 @@ def require_pymeshlab() -> None:
     if find_spec("pymeshlab") is None:
         raise ImportError(
             "files and mesh sets need pymeshlab, which is not installed: "
-            "python -m pip install 'laplacian-simplify[meshlab]'"
+            "python -m pip install 'laplacian-simplify[meshlab]'",
+            name="pymeshlab",
         )
 
 
