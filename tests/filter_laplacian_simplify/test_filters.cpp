@@ -4,6 +4,7 @@
 // The filters on a host of the test's own, which can do what real hosts cannot be made to do: stop a run.
 
 #include <algorithm>
+#include <cstdint>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -422,7 +423,13 @@ void TestFilters::differentColorsStayApart()
 
 void TestFilters::logNamesTheAttributes()
 {
-    PlainHost host(test_meshes::Icosphere(3));
+    test_meshes::IndexedMesh dome = test_meshes::Icosphere(3); // of a whole sphere each place has two points
+    const auto isBelow = [&](const auto& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return dome.points[v][2] < 0.2; });
+    };
+    dome.triangles.erase(std::remove_if(dome.triangles.begin(), dome.triangles.end(), isBelow),
+                         dome.triangles.end());
+    PlainHost host(dome);
     Paint(host.Mesh());
     const Report report = host.Apply(FilterId::GuidedDecimation, {{"target_percent", 10.0}});
     const auto errors = Get<std::vector<double>>(report, "attribute_rms");
@@ -434,8 +441,10 @@ void TestFilters::logNamesTheAttributes()
                                    "vertex color [0-9.]+ of 255, vertex quality [0-9.]+$");
     QVERIFY2(named.match(line).hasMatch(), qPrintable(line));
     const QString texture = QString::fromStdString(host.log.back());
-    QVERIFY2(texture.startsWith("Texture deviation in percent of the bounding box diagonal: rms 0."),
-             qPrintable(texture));
+    const QRegularExpression small(
+        "^Texture deviation in percent of the bounding box diagonal: rms [01]\\.[0-9]+, "
+        "largest [0-9.]+; faces whose texture is turned over: 0$");
+    QVERIFY2(small.match(texture).hasMatch(), qPrintable(texture));
     QCOMPARE(Get<int>(report, "faces_held_by_seams"), 0);
 }
 

@@ -46,6 +46,8 @@ class PaintedFace : public vcg::Face<PaintedTypes, vcg::face::VertexRef, vcg::fa
 /// Single precision, with everything from the start.
 class FloatPainted : public vcg::tri::TriMesh<std::vector<PaintedVertex>, std::vector<PaintedFace>>
 {
+  public:
+    ~FloatPainted() override { ClearAttributes(); } // vcglib leaves that to the owner
 };
 
 class OptionalVertex;
@@ -67,6 +69,8 @@ class OptionalFace
 class DoublePainted
     : public vcg::tri::TriMesh<vcg::vertex::vector_ocf<OptionalVertex>, vcg::face::vector_ocf<OptionalFace>>
 {
+  public:
+    ~DoublePainted() override { ClearAttributes(); }
 };
 
 void SwitchOn(FloatPainted& mesh)
