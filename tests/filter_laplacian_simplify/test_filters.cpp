@@ -4,8 +4,8 @@
 // The filters on a host of the test's own, which can do what real hosts cannot be made to do: stop a run.
 
 #include <algorithm>
-#include <cstdint>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
