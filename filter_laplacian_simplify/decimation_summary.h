@@ -97,6 +97,7 @@ inline Report ToReport(const std::vector<vcg_ext::DecimationReport>& levels,
                        const vcg_ext::AttributeLayout& layout = {})
 {
     std::vector<Report> reports;
+    reports.reserve(levels.size());
     for (const auto& level : levels) reports.push_back(ToReport(level, layout));
     const auto asReal = [](const auto& value) -> double {
         if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)

@@ -84,6 +84,7 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
     if (results.front().attributesIgnored) host.Log(kStrictIgnoresAttributes);
     const vcg_ext::AttributeLayout layout = results.front().attributes; // of all of them
     std::vector<vcg_ext::DecimationReport> reports;
+    reports.reserve(results.size());
     for (std::size_t i = 0; i < results.size(); ++i) {
         vcg_ext::DecimationReport report = results[i].report;
         if (report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();

@@ -93,8 +93,10 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
     std::vector<std::uint32_t> keys;
     if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
     if (!keys.empty()) view.vertexKeys = keys.data();
+    std::vector<Simplification> ofArrays = run(view);
     std::vector<MeshSimplification> results;
-    for (Simplification& result : run(view)) {
+    results.reserve(ofArrays.size());
+    for (Simplification& result : ofArrays) {
         const auto& cleaning = result.report.cleaning;
         const bool doubled = cleaning && cleaning->weldedVertices > 0;
         results.push_back({std::move(result), {}, ignored});
