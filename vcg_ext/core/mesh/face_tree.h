@@ -238,9 +238,10 @@ class FaceTree
         const Candidate any = WantedWithin(point, kFar, [](std::uint32_t) { return true; });
         if (wanted(any.face)) return any;
         float reach2 = std::max(kWider2 * any.distance2, kSizes2 * Size2(any.face));
-        for (; reach2 > 0 && reach2 < kFar; reach2 *= kWider2) {
+        while (reach2 > 0 && reach2 < kFar) {
             const Candidate best = WantedWithin(point, reach2, wanted);
             if (best.distance2 < kFar) return best;
+            reach2 *= kWider2;
         }
         return WantedWithin(point, kFar, wanted);
     }
