@@ -8,6 +8,7 @@ set(cache_home "$ENV{XDG_CACHE_HOME}")
 if(NOT cache_home)
     set(cache_home "$ENV{HOME}/.cache")
 endif()
+unset(CLANG_TIDY_PROGRAM CACHE) # an older tree may remember another one
 find_program(CLANG_TIDY_PROGRAM clang-tidy PATHS ${cache_home}/laplacian-simplify/python/bin NO_DEFAULT_PATH)
 mark_as_advanced(CLANG_TIDY_PROGRAM)
 
