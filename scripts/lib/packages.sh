@@ -116,7 +116,8 @@ build_zip() {
 # build_deb: for the MeshLab of Debian 12.
 build_deb() {
     local scratch=$packaging_scratch/deb name=meshlab-plugin-laplacian-simplify doc
-    local plugin=$scratch/root/usr/lib/x86_64-linux-gnu/meshlab/plugins/libfilter_laplacian_simplify.so
+    # The two places are Debian's: where its MeshLab looks for plugins, and its policy has the documents.
+    local plugin=$scratch/root/usr/lib/$(gcc -print-multiarch)/meshlab/plugins/libfilter_laplacian_simplify.so
     doc=$scratch/root/usr/share/doc/$name
     rm -rf "$scratch" "$packages"/*.deb
     mkdir -p "$scratch/debian" "$doc" "$(dirname "$plugin")" "$packages"

@@ -5,6 +5,7 @@
 import os
 import shutil
 import subprocess
+import sysconfig
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,7 +17,7 @@ from host_programs import CACHE
 
 DEBIAN = CACHE / "debian-12" / "root"
 NAME = "meshlab-plugin-laplacian-simplify"
-PLUGIN = "usr/lib/x86_64-linux-gnu/meshlab/plugins/libfilter_laplacian_simplify.so"
+PLUGIN = f"usr/lib/{sysconfig.get_config_var('MULTIARCH')}/meshlab/plugins/libfilter_laplacian_simplify.so"
 CHANGING = ("var/lib/dpkg", "var/log", "var/cache", "root", "tmp", "run", "etc/ld.so.cache")
 """What installing any package changes, and where MeshLab keeps settings."""
 

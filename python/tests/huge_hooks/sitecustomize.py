@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Python runs this at its start where the folder is in PYTHONPATH: a task ends its process once, or never ends.
+"""Python runs this at its start where the folder is in PYTHONPATH: a task ends its process once, never ends, or finds
+the disk full.
 
-HUGE_HOOK is "kill TASK FOLDER" or "hang TASK FOLDER"; the folder tells what has happened already.
+HUGE_HOOK is "kill TASK FOLDER", "hang TASK FOLDER" or "full TASK FOLDER"; the folder tells what has happened already.
 """
 
+import errno
 import os
 import signal
 import sys
@@ -17,6 +19,9 @@ if "laplacian_simplify.workers.process" in " ".join(sys.orig_argv) and "HUGE_HOO
     plain = tasks.run
     action, at_task, folder = os.environ["HUGE_HOOK"].split()
 
+    def disk_is_full(path, _target):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+
     def run(stage, task, arguments):
         marker = Path(folder) / "began"
         # Not the first one: there is something to keep.
@@ -24,7 +29,9 @@ if "laplacian_simplify.workers.process" in " ".join(sys.orig_argv) and "HUGE_HOO
             marker.write_text(str(os.getpid()))
             if action == "kill":
                 os.kill(os.getpid(), signal.SIGKILL)
-            threading.Event().wait()
+            if action == "hang":
+                threading.Event().wait()
+            Path.replace = disk_is_full
         return plain(stage, task, arguments)
 
     tasks.run = run

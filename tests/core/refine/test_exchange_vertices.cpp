@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -89,6 +90,8 @@ class TestExchangeVertices : public QObject
     void threadsDoNotChangeAByte();
     void whereNothingIsGainedNothingHappens();
     void largeStarsAreLeftAlone();
+    void collapsesThatWouldDamageAreNotOffered();
+    void onlyWhatIsWorthItIsChosen();
 };
 
 void TestExchangeVertices::verticesGoWhereTheErrorIs()
@@ -234,6 +237,52 @@ void TestExchangeVertices::whereNothingIsGainedNothingHappens()
     RefinementState state = Begin(pair, 1);
     QCOMPARE(Exchange(state, 1), std::size_t{0});
     QVERIFY(Bytes(pair.simplified) == before);
+}
+
+void TestExchangeVertices::collapsesThatWouldDamageAreNotOffered()
+{
+    // A tube of three sides may become shorter, but not one of two.
+    constexpr std::uint32_t kRings = 24;
+    const IndexedMesh tube = Torus(kRings, 3);
+    SurfacePair pair = MakePair(SubdividedAtMidpoints(tube), tube);
+    RefinementState state = Begin(pair, 1);
+    vcg_ext::VertexExchanger exchanger(state);
+    const auto mayCollapse = [&](std::uint32_t a, std::uint32_t b) {
+        return exchanger.OfferCollapse(a, b).stands;
+    };
+    std::vector<std::array<std::uint32_t, 2>> along;
+    for (const Triangle& t : tube.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            if (a % kRings == b % kRings)
+                QVERIFY(!mayCollapse(a, b));
+            else if (mayCollapse(a, b))
+                along.push_back({a, b});
+        }
+    QVERIFY(!along.empty());
+
+    const auto [a, b] = along.front();
+    for (const std::uint32_t end : {a, b})
+        for (const std::uint8_t flag : {vcg_ext::kBorderVertex, vcg_ext::kFixedVertex}) {
+            const std::uint8_t before = pair.simplified.flags[end];
+            pair.simplified.flags[end] |= flag;
+            QVERIFY(!mayCollapse(a, b));
+            pair.simplified.flags[end] = before;
+        }
+}
+
+void TestExchangeVertices::onlyWhatIsWorthItIsChosen()
+{
+    SurfacePair pair = MakePair(Grid(20, 20), Grid(20, 20));
+    const auto choose = [&](float cost, float gain) {
+        const vcg_ext::ExchangeOffer collapse{cost, 21 * 5 + 5, 21 * 5 + 6, {}};
+        const vcg_ext::ExchangeOffer division{-gain, 21 * 15 + 15, 21 * 15 + 16, {}};
+        return vcg_ext::ExchangeChoice(pair.simplified).Choose({collapse}, {division});
+    };
+    QCOMPARE(choose(1, 10).collapses.size(), std::size_t{1});
+    QCOMPARE(choose(1, 10).divisions.size(), std::size_t{1});
+    QVERIFY(choose(1, 0.5F).collapses.empty());
+    QVERIFY(choose(0, 0).collapses.empty());
 }
 
 void TestExchangeVertices::largeStarsAreLeftAlone()
