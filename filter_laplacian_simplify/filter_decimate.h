@@ -70,17 +70,23 @@ void RenumberForCompactCopy(const Mesh& mesh, vcg_ext::DecimatedMesh& result)
     for (std::uint32_t& origin : result.vertexOrigin) origin = indexInCopy[origin];
 }
 
+template <class Mesh>
+vcg_ext::EdgeCounts EdgesOf(const Mesh& mesh)
+{
+    const vcg_ext::MeshArrays<Mesh> arrays(mesh);
+    const vcg_ext::MeshView& view = arrays.View();
+    return vcg_ext::CountEdges(view.faceCount, [&](std::size_t f) { return view.triangles + 3 * f; });
+}
+
 /// The report if the mesh already has no more faces than the target: nothing is done.
 template <class Mesh>
 vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
 {
-    const vcg_ext::MeshArrays<Mesh> arrays(mesh);
-    const vcg_ext::MeshView& view = arrays.View();
     vcg_ext::DecimationReport report;
-    report.facesBefore = report.faces = view.faceCount;
+    report.facesBefore = report.faces = static_cast<std::size_t>(mesh.fn);
     report.vertices = static_cast<std::size_t>(mesh.vn);
     report.targetReached = true;
-    report.edges = vcg_ext::CountEdges(view.faceCount, [&](std::size_t f) { return view.triangles + 3 * f; });
+    report.edges = EdgesOf(mesh);
     if (measureError) report.distances.emplace(); // the surfaces are identical: all distances are 0
     return report;
 }
@@ -89,18 +95,30 @@ constexpr const char* kLayerSuffix = " simplified";
 constexpr const char* kStrictIgnoresAttributes =
     "Order strict does not transfer attributes: the remaining vertices and faces keep theirs";
 
-/// Writes a result to the current mesh, or to a copy of it in a new layer.
-/// \param layerSuffix of the new layer's name; empty: to the current mesh
+/// Goes on with a copy of the current mesh in a new layer, with everything that it carries.
+template <class Host>
+void ContinueOnWholeCopy(Host& host, const std::string& layerSuffix)
+{
+    const auto& original = host.Mesh();
+    host.ContinueOnCopy(layerSuffix);
+    vcg_ext::CopyCustomAttributes(original, host.Mesh());
+}
+
+/// Writes a result to the current mesh, or to a copy of it in a new layer, and counts there what was not
+/// known before. \param layerSuffix of the new layer's name; empty: to the current mesh
 template <class Host>
 void Commit(Host& host, vcg_ext::MeshSimplification result, const std::string& layerSuffix,
-            bool dropUnreferenced)
+            bool dropUnreferenced, vcg_ext::DecimationReport& report)
 {
     if (!layerSuffix.empty()) {
         RenumberForCompactCopy(host.Mesh(), result.mesh);
-        host.ContinueOnCopy(layerSuffix);
+        ContinueOnWholeCopy(host, layerSuffix);
     }
     vcg_ext::ApplyDecimation(host.Mesh(), result, dropUnreferenced);
     host.GeometryChanged();
+    report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
+    if (result.attributes.doubledVertices)
+        report.edges = EdgesOf(host.Mesh()); // open where seams are doubled
 }
 
 /// What a decimation filter is asked for besides its collapses.
@@ -126,7 +144,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     if (target >= facts.faces) {
         report = ReportUnchanged(host.Mesh(), wishes.measureError);
         if (wishes.errorBound) report.certifiedError = 0;
-        if (wishes.newLayer) host.ContinueOnCopy(kLayerSuffix);
+        if (wishes.newLayer) ContinueOnWholeCopy(host, kLayerSuffix);
     } else {
         ThrottledProgress progress(
             [&](int percent, const char* stage) { return host.Progress(percent, stage); });
@@ -134,12 +152,13 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
         report = decimation.report;
         layout = decimation.attributes;
         if (decimation.attributesIgnored) host.Log(kStrictIgnoresAttributes);
+        report.vertices = static_cast<std::size_t>(host.Mesh().vn);
         if (report.stopReason == vcg_ext::StopReason::Cancelled)
             report.faces = facts.faces;
         else
-            Commit(host, std::move(decimation), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput);
+            Commit(host, std::move(decimation), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput,
+                   report);
     }
-    report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
     report.seconds = stopwatch.Seconds();
     for (const std::string& line : LogLines(report, target, wishes.errorBound, layout)) host.Log(line);
     return ToReport(report, layout);

@@ -88,10 +88,15 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
     for (std::size_t i = 0; i < results.size(); ++i) {
         vcg_ext::DecimationReport report = results[i].report;
         if (report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();
-        host.ReturnToOriginal();
-        Commit(host, std::move(results[i]), " " + named.names[i], parameters.cleanInput);
-        report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
         const vcg_ext::Level& level = named.levels[i];
+        host.ReturnToOriginal();
+        if (level.targetFaces >= static_cast<std::size_t>(host.Mesh().fn)) { // as it is, like a single run
+            report = ReportUnchanged(host.Mesh(), parameters.measureError);
+            if (level.maxError > 0) report.certifiedError = 0;
+            ContinueOnWholeCopy(host, " " + named.names[i]);
+        } else {
+            Commit(host, std::move(results[i]), " " + named.names[i], parameters.cleanInput, report);
+        }
         for (const std::string& line : LogLines(report, level.targetFaces, level.maxError > 0, layout))
             host.Log(named.names[i] + ": " + line);
         reports.push_back(std::move(report));

@@ -31,18 +31,24 @@ inline unsigned char ToByte(double part)
 // Each of these reads and writes component c of element i: a vertex, a face, or corner k of face f as 3 f +
 // k.
 
+/// \param uv texture coordinates of vcglib, constant or not
+template <class TexCoord>
+auto& PartOf(TexCoord& uv, std::size_t c)
+{
+    return c == 0 ? uv.U() : uv.V();
+}
+
 template <class Mesh>
 struct WedgeTexture {
     Mesh& mesh;
     double Get(std::size_t i, std::size_t c) const
     {
-        const auto& uv = mesh.face[i / 3].cWT(static_cast<int>(i % 3));
-        return static_cast<double>(c == 0 ? uv.U() : uv.V());
+        const auto& uv = mesh.face[i / 3].cWT(static_cast<int>(i % 3)); // older versions return a copy
+        return static_cast<double>(PartOf(uv, c));
     }
     void Set(std::size_t i, std::size_t c, double x) const
     {
-        auto& uv = mesh.face[i / 3].WT(static_cast<int>(i % 3));
-        auto& number = c == 0 ? uv.U() : uv.V();
+        auto& number = PartOf(mesh.face[i / 3].WT(static_cast<int>(i % 3)), c);
         number = static_cast<std::decay_t<decltype(number)>>(x);
     }
 };
@@ -53,25 +59,28 @@ struct VertexTexture {
     double Get(std::size_t i, std::size_t c) const
     {
         const auto& uv = mesh.vert[i].cT();
-        return static_cast<double>(c == 0 ? uv.U() : uv.V());
+        return static_cast<double>(PartOf(uv, c));
     }
     void Set(std::size_t i, std::size_t c, double x) const
     {
-        auto& uv = mesh.vert[i].T();
-        auto& number = c == 0 ? uv.U() : uv.V();
+        auto& number = PartOf(mesh.vert[i].T(), c);
         number = static_cast<std::decay_t<decltype(number)>>(x);
     }
 };
 
-template <class Mesh>
-struct VertexColor {
-    Mesh& mesh;
-    double Get(std::size_t i, std::size_t c) const { return mesh.vert[i].cC()[static_cast<int>(c)] / kByte; }
+/// Of vertices or faces.
+template <class Elements>
+struct Color {
+    Elements& elements;
+    double Get(std::size_t i, std::size_t c) const { return elements[i].cC()[static_cast<int>(c)] / kByte; }
     void Set(std::size_t i, std::size_t c, double x) const
     {
-        mesh.vert[i].C()[static_cast<int>(c)] = ToByte(x);
+        elements[i].C()[static_cast<int>(c)] = ToByte(x);
     }
 };
+
+template <class Elements>
+Color(Elements&) -> Color<Elements>;
 
 template <class Mesh>
 struct WedgeColor {
@@ -83,16 +92,6 @@ struct WedgeColor {
     void Set(std::size_t i, std::size_t c, double x) const
     {
         mesh.face[i / 3].WC(static_cast<int>(i % 3))[static_cast<int>(c)] = ToByte(x);
-    }
-};
-
-template <class Mesh>
-struct FaceColor {
-    Mesh& mesh;
-    double Get(std::size_t i, std::size_t c) const { return mesh.face[i].cC()[static_cast<int>(c)] / kByte; }
-    void Set(std::size_t i, std::size_t c, double x) const
-    {
-        mesh.face[i].C()[static_cast<int>(c)] = ToByte(x);
     }
 };
 
@@ -184,13 +183,13 @@ void WithAccess(Mesh& mesh, const MeshAttribute& attribute, const Visit& visit)
     case AttributeCarrier::VertexTexture:
         return visit(VertexTexture<Mesh>{mesh});
     case AttributeCarrier::VertexColor:
-        return visit(VertexColor<Mesh>{mesh});
+        return visit(Color{mesh.vert});
     case AttributeCarrier::VertexQuality:
         return visit(Quality{mesh.vert});
     case AttributeCarrier::WedgeColor:
         return visit(WedgeColor<Mesh>{mesh});
     case AttributeCarrier::FaceColor:
-        return visit(FaceColor<Mesh>{mesh});
+        return visit(Color{mesh.face});
     case AttributeCarrier::CustomVertex:
         return WithCustom(mesh.vert_attr, attribute.name, visit);
     case AttributeCarrier::CustomFace:
@@ -200,6 +199,37 @@ void WithAccess(Mesh& mesh, const MeshAttribute& attribute, const Visit& visit)
     case AttributeCarrier::FaceQuality:
         return visit(Quality{mesh.face});
     }
+}
+
+/// Gives a copy of a mesh the custom attributes of numbers that it lacks: vcglib's Append copies only those
+/// that both have. \pre \p to has the elements of \p from that are not deleted, in their order
+template <class Mesh>
+void CopyCustomAttributes(const Mesh& from, Mesh& to)
+{
+    using Allocator = vcg::tri::Allocator<Mesh>;
+    const auto copyAll = [&](const auto& all, const auto& elements, const auto& add) {
+        for (const auto& custom : all) {
+            const auto copy = [&](auto number) {
+                using Number = decltype(number);
+                if (custom._name.empty() || custom._type != typeid(Number)) return;
+                auto target = add(number, custom._name);
+                std::size_t next = 0;
+                for (std::size_t i = 0; i < elements.size(); ++i)
+                    if (!elements[i].IsD())
+                        target[next++] = *static_cast<const Number*>(custom._handle->At(i));
+            };
+            copy(float{});
+            copy(double{});
+            copy(vcg::Point3f{});
+            copy(vcg::Point3d{});
+        }
+    };
+    copyAll(from.vert_attr, from.vert, [&](auto number, const std::string& name) {
+        return Allocator::template GetPerVertexAttribute<decltype(number)>(to, name);
+    });
+    copyAll(from.face_attr, from.face, [&](auto number, const std::string& name) {
+        return Allocator::template GetPerFaceAttribute<decltype(number)>(to, name);
+    });
 }
 
 /// The attributes of numbers that the mesh can hold and has switched on, without their components; custom

@@ -115,6 +115,7 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
 template <class Mesh>
 MeshSimplification Decimate(const Mesh& mesh, const MeshDecimationParameters& parameters)
 {
+    CheckParameters(parameters);
     const DecimationParameters& ofArrays = parameters;
     auto results = OnArraysOf(mesh, parameters, [&](const MeshView& view) {
         std::vector<Simplification> one;
@@ -129,6 +130,8 @@ template <class Mesh>
 std::vector<MeshSimplification> DecimateLevels(const Mesh& mesh, const MeshDecimationParameters& parameters,
                                                const std::vector<Level>& levels)
 {
+    CheckLevels(levels);
+    CheckParameters(ParametersOf(parameters, levels.front()));
     const DecimationParameters& ofArrays = parameters;
     return OnArraysOf(mesh, parameters,
                       [&](const MeshView& view) { return DecimateLevels(view, ofArrays, levels); });

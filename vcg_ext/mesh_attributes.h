@@ -123,9 +123,8 @@ class MeshAttributes
     template <class Visit>
     void ForEachElement(AttributePlace place, const Visit& visit) const
     {
-        if (place == AttributePlace::Vertex) {
-            for (std::size_t v = 0; v < mesh_.vert.size(); ++v)
-                if (!mesh_.vert[v].IsD()) visit(v);
+        if (place == AttributePlace::Vertex) { // those of no face say nothing of the surface
+            for (std::size_t i = 0; i < 3 * view_.faceCount; ++i) visit(view_.triangles[i]);
             return;
         }
         for (std::size_t f = 0; f < view_.faceCount; ++f) {
@@ -280,6 +279,8 @@ class MeshAttributes
             values_[i * layout_.channels + component.channel] = component.ToChannel(numberOf(i));
     }
 
+    bool IsFixed(std::uint32_t v) const { return view_.fixedVertices && view_.fixedVertices[v] != 0; }
+
     double Area(std::size_t face) const
     {
         const auto at = [&](std::size_t k) {
@@ -299,6 +300,7 @@ class MeshAttributes
             constexpr double kOfNoArea = 1e-300; // a vertex of such faces alone has a mean, too
             const double weight = std::max(weightOf(i), kOfNoArea);
             const std::uint32_t v = Welded(vertexOf(i));
+            if (v != vertexOf(i) && IsFixed(v)) continue; // that one keeps its own
             sum[v] += weight * numberOf(i);
             weights[v] += weight;
         }

@@ -52,11 +52,9 @@ void MeasureDistances(const vcg_ext::MeshView& view, const double* points, std::
     const vcg_ext::Frame frame = FrameOf(view);
     const vcg_ext::FaceTree tree(view, frame, threads);
     const auto inside = InFrame(frame, points, count);
-    // As RoundingOf, for points in place of a second mesh.
     double largest = 0;
     for (const auto& p : inside) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    const float slack = std::max(RoundingOf(view, view, frame),
-                                 static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon());
+    const float slack = std::max(RoundingOf(view, view, frame), vcg_ext::RoundingOf(largest));
     const vcg_ext::ExactSurface exact(view, tree, slack);
     vcg_ext::ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
         vcg_ext::ExactSurface::Search search;
@@ -106,7 +104,8 @@ std::int32_t laplacian_simplify_distances(const laplacian_simplify_surface* surf
         const vcg_ext::ThreadsOfRun run; // they end with it
         MeasureDistances(ViewOf(*surface), points, point_count, vcg_ext::ResolveThreads(threads), distances);
         return 0;
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) { // std::bad_alloc, std::length_error
+
         return 1;
     }
 }
@@ -120,7 +119,8 @@ std::int32_t laplacian_simplify_descriptor(const laplacian_simplify_surface* sur
             vcg_ext::LaplacianDescriptor(ViewOf(*surface), vcg_ext::ResolveThreads(threads));
         std::copy(found.begin(), found.end(), values);
         return 0;
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) { // std::bad_alloc, std::length_error
+
         return 1;
     }
 }
@@ -144,7 +144,8 @@ std::int32_t laplacian_simplify_edges(const laplacian_simplify_surface* surface,
             }
         }
         return 0;
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) { // std::bad_alloc, std::length_error
+
         return 1;
     }
 }

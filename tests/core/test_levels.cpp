@@ -122,6 +122,27 @@ class TestLevels : public QObject
         QCOMPARE(levels[0].report.selfIntersections, single.report.selfIntersections);
     }
 
+    /// Also of a mesh with a color and a scalar, which are scaled by what the first level asks for.
+    void firstLevelWithAttributesIsTheSingleRun()
+    {
+        const IndexedMesh mesh = test_meshes::Noisy(test_meshes::Torus(36, 18), 0.005);
+        std::vector<float> values;
+        for (const auto& t : mesh.triangles)
+            for (const std::uint32_t v : t)
+                for (const double x : {0.5 + mesh.points[v][0] / 4, std::sin(5 * mesh.points[v][1])})
+                    values.push_back(static_cast<float>(x));
+        CornerAttributes attributes;
+        attributes.kinds = {ChannelKind::Color, ChannelKind::Scalar};
+        attributes.values = values.data();
+        MeshView view = View(mesh);
+        view.attributes = &attributes;
+        auto parameters = With(Effort::Fast);
+        parameters.targetFaces = 7; // is not read
+        const auto levels = SimplifyLevels(view, parameters, Targets({600, 150}));
+        parameters.targetFaces = 600;
+        QVERIFY(Same(levels[0].mesh, Simplify(view, parameters).mesh));
+    }
+
     /// The finer levels before it cost the last one nothing: its error is that of a run of its own, within
     /// what another order of equal collapses changes.
     void lastLevelIsAsCloseAsTheSingleRun()

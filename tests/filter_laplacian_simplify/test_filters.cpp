@@ -226,6 +226,9 @@ class TestFilters : public QObject
     void targetAboveTheFacesChangesNothing();
     void newLayerKeepsTheOriginal();
     void newLayerOfAMeshWithDeletedVertices();
+    void newLayersHaveCustomAttributes();
+    void edgesAreThoseOfTheMeshThatIsLeft();
+    void levelOfAllFacesIsTheMesh();
     void levelsAreLayersAndTheOriginalStays();
     void levelsOfASelection();
     void levelsOfAMeshWithDeletedVertices();
@@ -655,6 +658,65 @@ void TestFilters::levelsOfASelection()
         const auto left = static_cast<double>(CountSelectedFaces(host.Layer(i)));
         QVERIFY(std::abs(left - static_cast<double>(selected) / (i == 1 ? 2 : 4)) <= 2);
     }
+}
+
+/// vcglib copies only those that the copy has already.
+void TestFilters::newLayersHaveCustomAttributes()
+{
+    PlainHost host(test_meshes::Icosphere(3));
+    PlainMesh& mesh = host.Mesh();
+    auto vertex =
+        vcg::tri::Allocator<PlainMesh>::AddVertices(mesh, 1); // and so the others are not all in order
+    vcg::tri::Allocator<PlainMesh>::DeleteVertex(mesh, *vertex);
+    auto number = vcg::tri::Allocator<PlainMesh>::AddPerVertexAttribute<float>(mesh, "number");
+    for (const auto& v : mesh.vert) number[v] = static_cast<float>(v.cP()[2]);
+    auto center = vcg::tri::Allocator<PlainMesh>::AddPerFaceAttribute<vcg::Point3d>(mesh, "center");
+    for (auto& f : mesh.face) center[f] = vcg::Point3d(f.P(0)[0], f.P(0)[1], f.P(0)[2]);
+    for (const double percent : {50.0, 100.0}) { // at 100 nothing is to be done
+        host.ReturnToOriginal();
+        host.Apply(FilterId::GuidedDecimation, {{"target_percent", percent}, {"new_layer", 1.0}});
+        PlainMesh& copy = host.Mesh();
+        QVERIFY(&copy != &host.Original());
+        auto copied = vcg::tri::Allocator<PlainMesh>::FindPerVertexAttribute<float>(copy, "number");
+        QVERIFY(vcg::tri::Allocator<PlainMesh>::IsValidHandle(copy, copied));
+        // what is fitted is off by less than the height of a face over the sphere
+        for (const auto& v : copy.vert) QVERIFY(std::abs(copied[v] - static_cast<float>(v.cP()[2])) < 0.05F);
+        QVERIFY(vcg::tri::HasPerFaceAttribute(copy, "center"));
+        copy.ClearAttributes();
+    }
+    host.Original().ClearAttributes();
+}
+
+/// Where vertices are doubled along a seam its edges are open, before and after.
+void TestFilters::edgesAreThoseOfTheMeshThatIsLeft()
+{
+    const test_meshes::IndexedMesh half = test_meshes::Grid(12, 12);
+    PlainHost host(test_meshes::Merged(half, test_meshes::Moved(half, 0, 1, {12, 0, 0})));
+    for (std::size_t v = 0; v < host.Mesh().vert.size(); ++v) {
+        auto& vertex = host.Mesh().vert[v];
+        const bool right = v >= half.points.size();
+        vertex.T() = {static_cast<float>(vertex.P()[0] / 48 + (right ? 0.5 : 0)),
+                      static_cast<float>(vertex.P()[1] / 48)};
+    }
+    for (const bool newLayer : {true, false}) {
+        const Report report = host.Apply(FilterId::GuidedDecimation,
+                                         {{"target_percent", 25.0}, {"new_layer", newLayer ? 1.0 : 0.0}});
+        QVERIFY(Get<int>(report, "welded_vertices") > 0);
+        const auto edges = EdgesOf(host.Mesh());
+        QCOMPARE(Get<int>(report, "boundary_edges"), static_cast<int>(edges.boundary));
+        host.ReturnToOriginal();
+    }
+}
+
+/// As the other filter leaves a mesh that has no more faces than the target.
+void TestFilters::levelOfAllFacesIsTheMesh()
+{
+    const test_meshes::IndexedMesh half = test_meshes::Grid(8, 8);
+    PlainHost host(test_meshes::Merged(half, test_meshes::Moved(half, 0, 1, {8, 0, 0}))); // could be welded
+    const auto before = Fingerprint(host.Mesh());
+    const Report report = host.Apply(FilterId::LevelsOfDetail, {{"percents", std::string("100,50")}});
+    QVERIFY(Fingerprint(host.Layer(1)) == before);
+    QCOMPARE(Get<std::vector<double>>(report, "faces"), (std::vector<double>{256, 128}));
 }
 
 /// Vertex 0 is deleted: every level has to be put into a copy whose vertices have other numbers.

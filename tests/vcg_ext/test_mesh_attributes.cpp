@@ -470,6 +470,38 @@ class TestMeshAttributes : public QObject
     }
 
     /// What is not selected keeps every bit: doubles that no float holds, and colors of faces.
+    /// A vertex that is not selected stands for selected ones that are welded to it, but not with their
+    /// values.
+    void whatIsNotSelectedIsNoMean()
+    {
+        FloatPainted mesh;
+        FillPlain(mesh, CutSheet());
+        for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+            const bool right = CentroidX(mesh, f) > 0.5;
+            for (int k = 0; k < 3; ++k) mesh.face[f].V(k)->Q() = right ? 3 : 1;
+            if (right) mesh.face[f].SetS();
+        }
+        auto parameters = Target(800);
+        parameters.selectedOnly = true;
+        const MeshSimplification result = Decimated(mesh, parameters);
+        QVERIFY(result.report.cleaning && result.report.cleaning->weldedVertices > 0);
+        for (std::size_t f = 0; f < mesh.face.size(); ++f)
+            for (int k = 0; k < 3; ++k)
+                if (!mesh.face[f].IsS()) QCOMPARE(mesh.face[f].V(k)->Q(), 1.0f);
+    }
+
+    void verticesOfNoFaceSayNothing()
+    {
+        FloatPainted mesh;
+        IndexedMesh sheet = Sheet(12);
+        sheet.points.push_back({0, 0, 0});
+        FillPlain(mesh, sheet);
+        for (auto& v : mesh.vert) v.Q() = v.P()[0];
+        mesh.vert.back().Q() = std::numeric_limits<float>::quiet_NaN();
+        QCOMPARE(Decimated(mesh, Target(50)).attributes.channels, std::size_t{1});
+        for (const auto& v : mesh.vert) QVERIFY(std::fabs(v.cQ() - v.cP()[0]) < 1e-4f);
+    }
+
     void whatIsNotSelectedKeepsItsBits()
     {
         DoublePainted mesh;

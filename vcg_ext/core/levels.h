@@ -143,12 +143,14 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
     const std::vector<int> ends = EndsOf(levels, view.faceCount, stages.refine);
     std::vector<Simplification> results;
     results.reserve(levels.size());
+    // What the first level asks for scales the attributes, as in a run for it alone.
+    const DecimationParameters own = ParametersOf(parameters, levels.front());
     try {
-        LevelCollapse chain(parameters);
+        LevelCollapse chain(own);
         const auto collapse = [&](const MeshView& mesh, const KeptForLater& kept, StageProgress part) {
             return chain.Run(mesh, kept, std::move(part));
         };
-        PipelineRun run(view, parameters, stages, collapse, threads);
+        PipelineRun run(view, own, stages, collapse, threads);
         CrossingKeeper keeper(view, threads);
         for (std::size_t i = 0; i < levels.size(); ++i) {
             chain.Begin(levels[i].targetFaces, i + 1 == levels.size());

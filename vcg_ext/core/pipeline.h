@@ -196,7 +196,7 @@ class PipelineRun
         DecimatedMesh mesh = RefinedMesh(view_, surface, stages_, guard, threads_, progress);
         trace = std::move(surface.trace);
         faceOrder_ = std::move(surface.faceOrder);
-        descriptor_ = std::move(surface.descriptor);
+        if (!surface.descriptor.empty()) descriptor_ = std::move(surface.descriptor); // or what was measured
         return mesh;
     }
 };

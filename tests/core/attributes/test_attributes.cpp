@@ -391,6 +391,22 @@ class TestAttributes : public QObject
         }
     }
 
+    /// What is named is what held the run: a bound only where it has refused something.
+    void stopReasonIsWhatHolds()
+    {
+        Painted painted = Patchwork(24);
+        auto parameters = Target(1, Effort::Fast);
+        parameters.maxError = 50;
+        const Simplification loose = Simplify(painted.View(), parameters);
+        QCOMPARE(loose.report.stopReason, StopReason::Seams);
+        QCOMPARE(loose.report.attributes->heldFaces, loose.report.faces - 1);
+        parameters.maxError = 0.2;
+        const Simplification tight = Simplify(painted.View(), parameters);
+        QCOMPARE(tight.report.stopReason, StopReason::ErrorBound);
+        QCOMPARE(tight.report.attributes->heldFaces, std::size_t{0});
+        QVERIFY(tight.report.faces > loose.report.faces);
+    }
+
     /// And where faces may not cross, as coarse ones of two sheets do that lie close to each other. The run
     /// that is guarded tries other places for vertices and takes moves back; what corners show is no farther
     /// out of place than in theTextureStaysInItsPlace.

@@ -72,6 +72,7 @@ struct BoundScratch {
     std::vector<std::uint32_t> ring;
     bool aroundIsKnown = false; ///< the faces around the ring are among the faces
     SegmentStack segments;
+    bool refused = false; ///< the bound has, since the run began; Clear leaves that
 
     void Clear()
     {

@@ -228,6 +228,7 @@ class VertexVisitor
             if (settled() || TryEndsAndMiddle(removed, survivor, attempt, settled)) return;
             if (bound) bound->Refuse();
         }
+        workspace_.bound.refused |= bound.has_value();
         attempt.cost = kRefusedKey;
     }
 

@@ -85,8 +85,6 @@ class CollapseEngine
         const auto report = [&](double way) { progress_(static_cast<int>(way * 100), "Collapsing edges"); };
         surface_.stopReason = schedule_.Run(targetFaces, report);
         surface_.trace = {schedule_.Steps(), static_cast<double>(state_.descriptorScale)};
-        // Under a bound a target is only the lower end: whatever else holds the rest, seams or shape.
-        if (bound_ && surface_.stopReason != StopReason::Target) surface_.stopReason = StopReason::ErrorBound;
         return surface_.stopReason;
     }
 

@@ -92,13 +92,19 @@ class SweepSchedule
             if (died > 0)
                 step = NextStep(step, died, target);
             else if (!NextIdleStep(step, target))
-                return HeldBySeams() ? StopReason::Seams : StopReason::NoLegalCollapse;
+                return WhatHolds();
         }
         return StopReason::Target;
     }
 
   private:
-    bool HeldBySeams() const { return state_.wedges && state_.wedges->keepSeams && runner_.RefusedBySeams(); }
+    /// Why nothing more may collapse: under a bound that has refused something the bound, whatever else.
+    StopReason WhatHolds() const
+    {
+        if (runner_.RefusedByBound()) return StopReason::ErrorBound;
+        const bool seams = state_.wedges && state_.wedges->keepSeams && runner_.RefusedBySeams();
+        return seams ? StopReason::Seams : StopReason::NoLegalCollapse;
+    }
 
     static double FourthPower(double length) { return length * length * length * length; }
 

@@ -65,6 +65,13 @@ class SweepRunner
         return before - state_.aliveFaces;
     }
 
+    /// Whether the bound has refused anything.
+    bool RefusedByBound() const
+    {
+        return std::any_of(workspaces_.begin(), workspaces_.end(),
+                           [](const Workspace& workspace) { return workspace.bound.refused; });
+    }
+
     /// Whether seams have refused anything in the last sweep.
     bool RefusedBySeams() const
     {

@@ -165,7 +165,13 @@ class ExactSurface
 };
 
 /// How much single precision can be wrong, in the frame, about which face is the closest: 16 units in the
-/// last place of the largest coordinate of the vertices on faces.
+/// last place of the largest coordinate.
+inline float RoundingOf(double largest)
+{
+    return static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
+}
+
+/// The same for the vertices on faces of both meshes.
 inline float RoundingOf(const MeshView& a, const MeshView& b, const Frame& frame)
 {
     double largest = 0;
@@ -175,7 +181,7 @@ inline float RoundingOf(const MeshView& a, const MeshView& b, const Frame& frame
             for (std::size_t i = 0; i < 3; ++i)
                 largest = std::max(largest, std::abs((p[i] - frame.center[i]) * frame.scale));
         }
-    return static_cast<float>(16 * largest) * std::numeric_limits<float>::epsilon();
+    return RoundingOf(largest);
 }
 
 } // namespace vcg_ext

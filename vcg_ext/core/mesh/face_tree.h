@@ -120,14 +120,14 @@ class FaceTree
     /// vector? False only where none does.
     bool MayFaceAway(const Vector3<float>& point, const Vector3<float>& direction, float limit2) const
     {
-        constexpr float kSafe = 1e-3F; // rounding of normals that are not those of needles
+        constexpr float kSafe = 2e-3F; // rounding of normals of faces that are not thin, and of the direction
         bool found = false;
         const auto someFaceAway = [&](const FourNodes& nodes) {
             return nodes.normals.LeastDots(direction) < Splat(kSafe);
         };
         Search(point, someFaceAway, limit2, [&](const FourTriangles& faces, const FourIndices&) {
             const PreparedTriangle<Float4> t = faces.Prepared();
-            const Int4 away = Dot(Splat(direction), {t.nx, t.ny, t.nz}) < Splat(kSafe);
+            const Int4 away = (Dot(Splat(direction), {t.nx, t.ny, t.nz}) < Splat(kSafe)) | AreThin(t);
             const Int4 near = ClosestOnTriangle(faces.Seen(point), t).distance2 <= Splat(limit2);
             found |= AnyLane(away & near);
             return found ? -1.0F : limit2;

@@ -77,7 +77,16 @@ inline NodeBoxes BoxesOf(const FourNodes& nodes)
     return {Around(nodes.points.boxes), Around(nodes.normals.boxes)};
 }
 
-/// NodeBoxes of faces that come four at a time.
+/// Which of four faces are so thin that rounding of their corners turns their normals by more than a
+/// thousandth.
+inline Int4 AreThin(const PreparedTriangle<Float4>& t)
+{
+    constexpr float kThin2 = 1e-2F; // squared height: a tenth, where coordinates round by 3e-5
+    const Float4 longest2 = Max(t.bb, Max(t.cc, t.bb + t.cc - 2.0F * t.bc));
+    return t.doubleArea * t.doubleArea < kThin2 * longest2;
+}
+
+/// NodeBoxes of faces that come four at a time. Normals of thin faces may be any.
 class LeafBoxes
 {
     Box3<Float4> points_ = EmptyBox<Float4>(), normals_ = EmptyBox<Float4>();
@@ -89,7 +98,10 @@ class LeafBoxes
         points_.Add(faces.a);
         points_.Add(faces.a + faces.b);
         points_.Add(faces.a + faces.c);
-        normals_.Add({t.nx, t.ny, t.nz});
+        const Int4 thin = AreThin(t);
+        const Float4 one = Splat(1.0F);
+        normals_.Add({Select(thin, one, t.nx), Select(thin, one, t.ny), Select(thin, one, t.nz)});
+        normals_.Add({Select(thin, -one, t.nx), Select(thin, -one, t.ny), Select(thin, -one, t.nz)});
     }
     NodeBoxes Boxes() const { return {Around(points_), Around(normals_)}; }
 };
