@@ -142,8 +142,7 @@ def test_wrong_words_write_nothing(output: str, words: tuple[str, ...], code: in
 
 
 def test_no_level_appears_where_one_cannot_be_written(tmp_path: Path) -> None:
-    """The file of the last level is a folder, which is found before the work; where it is found only when all is
-    written, the same must hold."""
+    """The file of the last level is a folder, which is found before the work."""
     (tmp_path / "out_25.ply").mkdir()
     done = run_command("lod", BOX, tmp_path / "out_{percent}.ply", "--percents", "50,25", *QUICK)
     assert done.returncode == 1
