@@ -26,11 +26,12 @@ from laplacian_simplify.huge.layout import Histogram, divide
 from laplacian_simplify.huge.plan import common_cost, held_back, next_round, shares, sizes_for
 from laplacian_simplify.huge.ply_source import PlySource
 from laplacian_simplify.huge.report import HugeReport
+from laplacian_simplify.huge.runs import _without_leftovers
 from laplacian_simplify.huge.samples import spread
 from laplacian_simplify.huge.scatter import scatter
 from laplacian_simplify.huge.stages import Task
 from laplacian_simplify.huge.stl_source import check_collisions, hashed
-from laplacian_simplify.huge.work_folder import WorkFolder
+from laplacian_simplify.huge.work_folder import SchedulerGoneError, WorkFolder
 from laplacian_simplify.options import as_option
 from laplacian_simplify.report import StopReason
 
@@ -201,6 +202,15 @@ def test_a_work_folder_that_is_removed_in_part_begins_anew(tmp_path: Path, monke
         monkeypatch.undo()
     with WorkFolder(folder, {"input": "another"}) as work:
         assert work.get("checksums") is None
+
+
+def test_what_is_done_is_kept_where_the_scheduler_is_gone(tmp_path: Path) -> None:
+    """However little it is; where the input is refused, that little is removed."""
+    for error, is_kept in ((SchedulerGoneError("gone"), True), (MeshFileError("refused"), False)):
+        with WorkFolder(tmp_path / "work", {}) as work:
+            with pytest.raises(MeshFileError), _without_leftovers(work):
+                raise error
+            assert (tmp_path / "work").exists() == is_kept
 
 
 def test_the_report_spells_remedies_as_its_reader_does() -> None:
