@@ -34,8 +34,11 @@ def why_missed(report: Mapping[str, Any], spelled: Spelling = as_keyword) -> str
     edges = (3 * faces + open_edges) // 2
     if open_edges >= 2 * faces > _FEW:  # as of triangles and quads that share no vertices
         apart = "the faces share no vertices" if open_edges == 3 * faces else "most faces are not connected"
+        found = f"{open_edges:,} of {edges:,} edges are open: {apart}"
+        if "rounds" in report:  # of huge, which cannot weld first
+            return found
         remedy = spelled("weld_distance", 0.01) if "welded_vertices" in report else spelled("clean_input", True)
-        return f"{open_edges:,} of {edges:,} edges are open: {apart}; weld first ({remedy})"
+        return f"{found}; weld first ({remedy})"
     if 2 * open_edges >= faces:
         return (
             f"{reason} ({open_edges:,} open edges hold most faces; {spelled('boundary', 'free')} lets borders shrink)"

@@ -55,13 +55,22 @@ def files_of(options: argparse.Namespace) -> Files:
     if to_standard_output and output == STANDARD_OUTPUT:
         raise ValueError("OUTPUT and --json are both -, but there is one standard output")
     if options.json and not to_standard_output:
-        for name, other in (("OUTPUT", output), ("INPUT", options.input)):
-            if other != STANDARD_OUTPUT and _same(options.json, other):
-                raise ValueError(f"--json {printable(options.json)} is the file of {name}, which it would replace")
+        check_report_name(options.json, output, options.input)
     name = f"mesh.{options.output_format or 'ply'}" if output == STANDARD_OUTPUT else output
     if options.output_format and output != STANDARD_OUTPUT:
         raise ValueError("--output-format is for standard output; the name of OUTPUT tells the format")
     return Files(options.input, output, None if to_standard_output else options.json, to_standard_output, name)
+
+
+def check_report_name(report: str, output: str, source: str) -> None:
+    """Refuses a report that would take the place of another file of the run.
+
+    Raises:
+        ValueError: it would.
+    """
+    for name, other in (("OUTPUT", output), ("INPUT", source)):
+        if other != STANDARD_OUTPUT and _same(report, other):
+            raise ValueError(f"--json {printable(report)} is the file of {name}, which it would replace")
 
 
 def files_of_levels(options: argparse.Namespace, words: Sequence[str], field: str) -> list[Files]:

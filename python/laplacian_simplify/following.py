@@ -55,18 +55,23 @@ def on_a_terminal() -> bool:
     return sys.stderr is not None and sys.stderr.isatty()
 
 
+def bar_of_steps(**options: Any) -> Any:
+    """A bar of tqdm, which goes at its end, without the thread that watches it."""
+    from tqdm import tqdm
+
+    class Bar(tqdm):  # type: ignore[misc]
+        monitor_interval = 0
+
+    return Bar(leave=False, **options)
+
+
 @contextmanager
 def _bar(quiet: bool) -> Iterator[Progress]:
     """Shows progress where standard error is a terminal."""
     if quiet or not on_a_terminal():
         yield lambda *_: None
         return
-    from tqdm import tqdm
-
-    class Bar(tqdm):  # type: ignore[misc]
-        monitor_interval = 0  # no thread that watches it
-
-    with Bar(total=100, leave=False, bar_format="{desc:<20}{bar} {n:.0f} %") as bar:
+    with bar_of_steps(total=100, bar_format="{desc:<20}{bar} {n:.0f} %") as bar:
 
         def show(percent: int, stage: str) -> None:
             if percent < 100:  # then only the filter's name follows

@@ -41,11 +41,14 @@ def report_of(
 
 
 def _parameters(row: Filter, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Every parameter that has a value: choices by their words. A target that the mesh decided has none."""
+    """Every parameter that has a value: choices by their words. A target that the mesh decided has none,
+    and so have percents of levels that errors decided."""
     known = {parameter.id: parameter for parameter in row.parameters if parameter.id not in WITHOUT_OPTION}
     given = {name: values.get(name, known[name].default) for name in known}
     if "target_percent" in given and given["target_percent"] == 0:
         del given["target_percent"]
+    if values.get("max_errors"):
+        given.pop("percents", None)
     further = {name: value for name, value in values.items() if name not in known}
     return {name: _word(known[name], value) for name, value in given.items() if value is not None} | further
 

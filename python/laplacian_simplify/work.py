@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the command's process for the work does: it reads, filters and writes one mesh."""
 
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -90,7 +91,9 @@ def _work(stage: Stage, function: str, mesh_set: "pymeshlab.MeshSet", values: di
     stage("working")
     mesh_set.set_verbosity(True)  # then progress is written, which the command follows
     try:
-        report = getattr(functions, function)(mesh_set, **in_percent(values, mesh_set))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # the command has said it, and "error" would make it one
+            report = getattr(functions, function)(mesh_set, **in_percent(values, mesh_set))
     except RuntimeError as error:
         raise MeshFileError(f"{shown_source} cannot be used: {error}") from None
     mesh_set.set_verbosity(False)

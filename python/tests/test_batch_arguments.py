@@ -84,6 +84,28 @@ def test_wrong_keywords(tmp_path: Path) -> None:
             ls.simplify_many(tmp_path, tmp_path / "out", **keywords)
 
 
+def test_a_bound_that_ends_a_run_misses_no_target(tmp_path: Path) -> None:
+    """A percentage beside it, which would have been below, is no more than a wish."""
+    write_sheet(tmp_path / "meshes" / "sheet.off", 12)
+    for words in (("--max-error", "0.01%"), ("--percent", "2", "--max-error", "0.01%")):
+        done = run_command("batch", tmp_path / "meshes", tmp_path / "out", *words)
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.startswith("done              1 ")
+        assert "NOT reached" not in done.stdout
+
+
+def test_a_warning_that_was_said_ends_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write_sheet(tmp_path / "meshes" / "sheet.off", 20)
+    monkeypatch.setenv("PYTHONWARNINGS", "error::UserWarning")
+    for command, source, output in (
+        ("simplify", tmp_path / "meshes" / "sheet.off", tmp_path / "out.off"),
+        ("batch", tmp_path / "meshes", tmp_path / "out"),
+    ):
+        done = run_command(command, source, output, "--percent", "0.5")
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert done.stderr.count("to keep the fraction 0.5 of them") == 1
+
+
 def test_patterns_keep_the_folders_below_their_fixed_part(tmp_path: Path) -> None:
     for name in ("a/x.off", "a/b/y.stl.gz", "a/z.glb", ".hidden/w.off", "a/list.txt"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)

@@ -178,6 +178,9 @@ def test_one_point_with_too_many_faces_is_refused(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert_one_line(done.stderr)
     assert "more than 1,000 faces are at one place" in done.stderr
+    folder = tmp_path / ".small.ply.laplacian-simplify"
+    assert f"give more by --memory, and another --work-folder, or remove {folder}\n" in done.stderr
+    assert folder.exists()
 
 
 def test_simplify_huge(source: Path, first: Any, tmp_path: Path) -> None:
@@ -209,6 +212,7 @@ def test_simplify_huge(source: Path, first: Any, tmp_path: Path) -> None:
         (["mesh.ply", "out.ply", "--percent", "0"], 2, "is outside (0, 100]"),
         (["mesh.ply", "out.ply", "--percent", "50", "--memory", "100MiB"], 2, "--memory 100MiB is too little"),
         (["mesh.ply", "out.ply", "--percent", "50", "--json", "out.ply"], 2, "is the file of OUTPUT"),
+        (["mesh.ply", "out.ply", "--percent", "50", "--json", "link.ply"], 2, "is the file of INPUT"),
         (["mesh.ply", "out.ply", "--percent", "50", "--json", "no/r.json"], 1, "no is not a folder"),
         (["mesh.ply", "out.ply", "--percent", "50", "--work-folder", "."], 1, "is not empty and no work folder"),
         (["text.ply", "out.ply", "--percent", "50"], 1, "it is a text; huge reads binary PLY"),
@@ -223,6 +227,7 @@ def test_what_cannot_be_done_is_refused_in_one_line(arguments: list[str], code: 
     vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     write_ply(tmp_path / "mesh.ply", vertices, faces)
+    (tmp_path / "link.ply").hardlink_to(tmp_path / "mesh.ply")
     good = (tmp_path / "mesh.ply").read_bytes()
     (tmp_path / "cut.ply").write_bytes(good[:-5])
     (tmp_path / "text.ply").write_bytes(good.replace(b"binary_little_endian", b"ascii"))
@@ -236,6 +241,7 @@ def test_what_cannot_be_done_is_refused_in_one_line(arguments: list[str], code: 
     assert_one_line(done.stderr)
     assert said in done.stderr
     assert not (tmp_path / "out.ply").exists()
+    assert not (tmp_path / ".out.ply.laplacian-simplify").exists()  # there was nothing to keep
 
 
 def test_wrong_keywords(source: Path, tmp_path: Path) -> None:

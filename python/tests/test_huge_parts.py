@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parts of what simplifies huge meshes, on meshes whose answers are known."""
 
+import os
+import subprocess
+import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,18 +15,25 @@ from huge_meshes import torus, write_ply
 pytest.importorskip("distributed")
 
 from laplacian_simplify.files.errors import MeshFileError
-from laplacian_simplify.huge import surface_library, tasks
+from laplacian_simplify.huge import finish, surface_library, tasks
 from laplacian_simplify.huge.array_file import ArrayFile, is_whole, save_arrays
+from laplacian_simplify.huge.collapse import Engine
 from laplacian_simplify.huge.comparison import Surface, nearest_in_parts
 from laplacian_simplify.huge.edges import edges_between_blocks, edges_of_block
 from laplacian_simplify.huge.gather import count_foreign, gather
 from laplacian_simplify.huge.grid import SIDE, CellTable, Grid, Layout, cells_of, paths_of
 from laplacian_simplify.huge.layout import Histogram, divide
 from laplacian_simplify.huge.plan import common_cost, held_back, next_round, shares, sizes_for
+from laplacian_simplify.huge.ply_source import PlySource
+from laplacian_simplify.huge.report import HugeReport
+from laplacian_simplify.huge.runs import _without_leftovers
 from laplacian_simplify.huge.samples import spread
 from laplacian_simplify.huge.scatter import scatter
 from laplacian_simplify.huge.stages import Task
 from laplacian_simplify.huge.stl_source import check_collisions, hashed
+from laplacian_simplify.huge.work_folder import SchedulerGoneError, WorkFolder
+from laplacian_simplify.options import as_option
+from laplacian_simplify.report import StopReason
 
 SQUARE = np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
 TWO = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
@@ -38,10 +49,11 @@ class InThisProcess:
     """Stages whose tasks are done at once."""
 
     def __init__(self, folder: Path) -> None:
-        self.path, self.keys, self.work = folder, [], self
+        self.path, self.keys, self.work, self.most = folder, [], self, 1000
 
     def do(self, _stage: str, key: str, given: list[Task]) -> list[dict[str, object]]:
         self.keys.append((key, len(given)))
+        assert len(self.keys) <= self.most
         return [tasks.run(print, task.function, {"folder": str(self.path), **task.arguments}) for task in given]
 
 
@@ -61,6 +73,15 @@ def test_distances_to_a_surface_in_parts_are_those_to_the_whole(tmp_path: Path) 
     assert found == pytest.approx([0.01, 3, 15, 14, 0, 1.95], rel=1e-12)
     assert stages.keys[0] == ("there-0", 2)
     assert len(stages.keys) > 2
+
+
+def test_a_reach_of_nothing_gets_wider(tmp_path: Path) -> None:
+    """As of a result whose faces have no area."""
+    save_arrays(tmp_path / "0.block", {"positions": np.zeros((3, 3)), "triangles": TWO[:1]})
+    surfaces = [Surface([], "0.block", {"low": [0.0] * 3, "high": [0.0] * 3}, 1)]
+    stages = InThisProcess(tmp_path)
+    stages.most = 20
+    assert nearest_in_parts(stages, "there", surfaces, np.array([[0.0, 3, 4]]), 0, "mesh") == pytest.approx([5])
 
 
 def test_the_descriptor_sees_the_tip() -> None:
@@ -97,6 +118,111 @@ def test_samples_are_spread_by_area() -> None:
     assert area == pytest.approx(50.5)
     assert np.count_nonzero(points[:, 0] >= 20) == 10
     assert (points[:, 0] + points[:, 1] <= np.where(points[:, 0] >= 20, 21, 10) + 1e-9).all()
+
+
+def test_areas_add_up_in_single_precision_too() -> None:
+    """A strip of faces with equal areas, each a 40,000th: single precision loses much of that on the way."""
+    count = 20_000
+    x = np.arange(count + 1, dtype=np.float32) / count
+    positions = np.stack(
+        [np.tile(x, 2), np.repeat(np.float32([0, 1]), count + 1), np.zeros_like(x, shape=2 * count + 2)]
+    )
+    a = np.arange(count)
+    b = a + count + 1
+    faces = np.concatenate([np.stack([a, a + 1, b], axis=1), np.stack([a + 1, b + 1, b], axis=1)])
+    # Coordinates have 24 bits: what is left is theirs, and the sum of widths is exact.
+    assert spread(positions.T, faces, 1)[1] == pytest.approx(1, rel=1e-7)
+
+
+def test_the_last_run_asks_for_no_threads_that_gain_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where address space is bounded the stacks of so many may not fit, which ends the process."""
+    write_ply(tmp_path / "two.ply", SQUARE, TWO)
+    asked: list[float] = []
+
+    def run(_mesh: object, parameters: dict[str, float], _progress: object) -> None:
+        asked.append(parameters["threads"])
+        raise InterruptedError
+
+    monkeypatch.setattr(finish, "run", run)
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: range(64))
+    item = ["input", str(tmp_path / "two.ply"), 0, 2]
+    with pytest.raises(InterruptedError):
+        finish.last_run(tmp_path, [], item, 1, False, False, Engine(2, 0, 0), 0, "two", "last.block")
+    assert asked == [1]
+
+
+def test_the_memory_of_who_started_the_process_does_not_count(tmp_path: Path) -> None:
+    write_ply(tmp_path / "two.ply", SQUARE, TWO)
+    child = (
+        "import sys; from pathlib import Path; from laplacian_simplify.huge import tasks\n"
+        "source = {'source': sys.argv[1], 'begin': 0, 'end': 4, 'folder': '.'}\n"
+        "print(tasks.run(print, 'bounds', source)['peak_memory'])"
+    )
+    parent = (
+        "import subprocess, sys; large = b'x' * (1 << 30)\n"
+        "subprocess.run([sys.executable, '-c', *sys.argv[1:]], check=True)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", parent, child, tmp_path / "two.ply"], capture_output=True, text=True, check=True
+    )
+    assert 1 << 20 < int(done.stdout) < 1 << 29
+
+
+def test_whole_numbers_of_32_bits_keep_them(tmp_path: Path) -> None:
+    """Single precision has 24, which are enough for those of 16."""
+    for name, kind, is_single in (("int", "<i4", False), ("ushort", "<u2", True), ("float", "<f4", True)):
+        largest = 2**24 + 1 if name == "int" else 1001
+        rows = np.array([[0, 0, 0], [largest, 0, 0], [0, largest, 0]], kind)
+        head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+        head += "".join(f"property {name} {axis}\n" for axis in "xyz")
+        head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        face = b"\3" + np.array([0, 1, 2], "<i4").tobytes()
+        (tmp_path / "mesh.ply").write_bytes(head.encode() + rows.tobytes() + face)
+        source = PlySource(str(tmp_path / "mesh.ply"))
+        assert source.single == is_single
+        assert np.array_equal(source.chunk(0, 1).positions, rows)
+
+
+def test_a_work_folder_that_is_removed_in_part_begins_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As one is where a run is killed while it removes it."""
+    folder = tmp_path / "work"
+
+    def killed(*_: object, **__: object) -> None:
+        raise InterruptedError
+
+    with WorkFolder(folder, {"input": "one"}) as work:
+        work.add("checksums", [1])
+        (folder / "0.block").write_bytes(b"")
+        plain = Path.unlink
+        monkeypatch.setattr(
+            Path, "unlink", lambda path, **how: (killed if path.suffix == ".block" else plain)(path, **how)
+        )
+        with pytest.raises(InterruptedError):
+            work.remove()
+        monkeypatch.undo()
+    with WorkFolder(folder, {"input": "another"}) as work:
+        assert work.get("checksums") is None
+
+
+def test_what_is_done_is_kept_where_the_scheduler_is_gone(tmp_path: Path) -> None:
+    """However little it is; where the input is refused, that little is removed."""
+    for error, is_kept in ((SchedulerGoneError("gone"), True), (MeshFileError("refused"), False)):
+        with WorkFolder(tmp_path / "work", {}) as work:
+            with pytest.raises(MeshFileError), _without_leftovers(work):
+                raise error
+            assert (tmp_path / "work").exists() == is_kept
+
+
+def test_the_report_spells_remedies_as_its_reader_does() -> None:
+    numbers = dict.fromkeys(("dropped_faces", "peak_memory", "seconds", "non_manifold_edges", "vertices"), 0)
+    report = HugeReport(
+        **numbers, faces_before=100, faces=60, target_reached=False, stop_reason=StopReason.NO_LEGAL_COLLAPSE,
+        boundary_edges=40, rounds=[], processor_seconds={}, notes=[],
+    )  # fmt: skip
+    assert "boundary='free' lets borders shrink" in str(report)
+    assert "--boundary free lets borders shrink" in report.text(as_option)
+    apart = replace(report, boundary_edges=180)
+    assert str(apart).splitlines()[0].endswith("180 of 180 edges are open: the faces share no vertices")
 
 
 def test_cells_of_a_level_are_within_those_above() -> None:

@@ -113,9 +113,14 @@ def test_errors_are_percent_or_lengths(tmp_path: Path) -> None:
     mesh_set = ls.read_mesh(BOX)  # the mesh lives as long as it
     vertices = mesh_set.current_mesh().vertex_matrix()
     length = math.dist(vertices.max(axis=0), vertices.min(axis=0)) / 100
+    report = tmp_path / "report.json"
     for words in ("1%", repr(length)):
-        done = run_command("lod", BOX, tmp_path / "{level}_{error}.ply", "--max-errors", words, "--effort", "fast")
+        more = ("--max-errors", words, "--effort", "fast", "--json", report)
+        done = run_command("lod", BOX, tmp_path / "{level}_{error}.ply", *more)
         assert done.returncode == 0, done.stderr
+        (level,) = json.loads(report.read_text())
+        assert "max_errors" in level["parameters"]
+        assert "percents" not in level["parameters"]  # their default has no part in it
     assert (tmp_path / "1_1%.ply").read_bytes() == (tmp_path / f"1_{length!r}.ply").read_bytes()
 
 
@@ -142,8 +147,7 @@ def test_wrong_words_write_nothing(output: str, words: tuple[str, ...], code: in
 
 
 def test_no_level_appears_where_one_cannot_be_written(tmp_path: Path) -> None:
-    """The file of the last level is a folder, which is found before the work; where it is found only when all is
-    written, the same must hold."""
+    """The file of the last level is a folder, which is found before the work."""
     (tmp_path / "out_25.ply").mkdir()
     done = run_command("lod", BOX, tmp_path / "out_{percent}.ply", "--percents", "50,25", *QUICK)
     assert done.returncode == 1

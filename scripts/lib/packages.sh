@@ -102,7 +102,7 @@ build_zip() {
     local version=$1 scratch=$packaging_scratch/zip-$1 pattern folder
     pattern=laplacian-simplify-$project_version-meshlab-VERSION-float-linux-x86_64
     folder=$scratch/${pattern/VERSION/$version}
-    rm -rf "$scratch"
+    rm -rf "$scratch" "$packages"/*-meshlab-"$version"-*.zip
     mkdir -p "$folder"
     cp "$top"/packaging/meshlab_zip/*.sh "$top/scripts/lib/meshlab.sh" "$top/LICENSE" "$folder"
     sed "s/@VERSION@/$project_version/; s/@MESHLAB@/$version/; s/@SCALAR@/single/" \
@@ -115,9 +115,9 @@ build_zip() {
 
 # build_deb: for the MeshLab of Debian 12.
 build_deb() {
-    local scratch=$packaging_scratch/deb name=meshlab-plugin-laplacian-simplify doc
+    local scratch=$packaging_scratch/deb name=meshlab-plugin-laplacian-simplify doc plugin libraries
     # The two places are Debian's: where its MeshLab looks for plugins, and its policy has the documents.
-    local plugin=$scratch/root/usr/lib/$(gcc -print-multiarch)/meshlab/plugins/libfilter_laplacian_simplify.so
+    plugin=$scratch/root/usr/lib/$(gcc -print-multiarch)/meshlab/plugins/libfilter_laplacian_simplify.so
     doc=$scratch/root/usr/share/doc/$name
     rm -rf "$scratch" "$packages"/*.deb
     mkdir -p "$scratch/debian" "$doc" "$(dirname "$plugin")" "$packages"
@@ -130,7 +130,8 @@ build_deb() {
     } | gzip -9n >"$doc/changelog.Debian.gz"
     printf 'Source: %s\n\nPackage: %s\nArchitecture: any\n' "$name" "$name" >"$scratch/debian/control"
     find "$scratch/root" -exec touch -h -d "@$SOURCE_DATE_EPOCH" {} +
-    DEB_FILES=$scratch/root DEB_MAINTAINER=$maintainer DEB_LIBRARIES=$(library_packages "$scratch" "$plugin") \
+    libraries=$(library_packages "$scratch" "$plugin")
+    DEB_FILES=$scratch/root DEB_MAINTAINER=$maintainer DEB_LIBRARIES=$libraries \
         cpack --config "$top/packaging/debian/CPackConfig.cmake" -D CPACK_PACKAGE_VERSION="$project_version" \
         -B "$scratch/out"
     cp "$scratch/out"/*.deb "$packages"
@@ -141,7 +142,7 @@ build_deb() {
 library_packages() {
     local found
     found=$(cd "$1" && dpkg-shlibdeps -O --ignore-missing-info -e"$2" \
-        -l"$(dirname "$(find "$cache/hosts/meshlab-2020.09/root" -name libmeshlab-common.so -print -quit)")")
+        -l"$(dirname "$(find "$cache/hosts/meshlab-2020.09/root" -name libmeshlab-common.so -print -quit)")") || return
     printf '%s\n' "${found#shlibs:Depends=}"
 }
 
@@ -149,7 +150,7 @@ library_packages() {
 build_extra_plugin() {
     local scratch=$packaging_scratch/extra name=laplacian-simplify-$project_version-extra-plugin folder
     folder=$scratch/$name/filter_laplacian_simplify
-    rm -rf "$scratch"
+    rm -rf "$scratch" "$packages"/*-extra-plugin.zip
     mkdir -p "$folder"
     (cd "$top" && git ls-files -z -- vcg_ext filter_laplacian_simplify |
         grep -zvE 'CMakeLists.txt$|/print_tables.cpp$|/host_2020/' | xargs -0 cp --parents -t "$folder")

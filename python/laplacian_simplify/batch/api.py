@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from ..files.output_formats import OUTPUT_FORMATS
 from ..running import with_one_target
 from ..simplification import FileOptions
-from ..workers.arguments import bytes_of
+from ..workers.arguments import bytes_of, check_workers
 from .command import progress as shown_progress
 from .runs import BatchReport, BatchRequest, Finished, simplify_folder
 
@@ -60,17 +60,12 @@ def simplify_many(
     if unknown:
         raise TypeError(f"simplify_many has no keyword '{unknown[0]}'")
     values = with_one_target("meshing_decimation_laplacian_quadric_edge_collapse", options)
-    if scheduler is not None and workers is not None:
-        raise ValueError("workers and scheduler exclude each other: a scheduler has its own workers")
-    if workers is not None and workers < 1:
-        raise ValueError(f"workers = {workers} is not 1 or more")
+    check_workers(workers, scheduler, progress)
     if not timeout > 0:
         raise ValueError(f"timeout = {timeout} is not above 0")
     formats = [row.extension for row in OUTPUT_FORMATS]
     if output_format is not None and output_format not in formats:
         raise ValueError(f"output_format = {output_format} is not one of {', '.join(formats)}")
-    if progress is not None and progress is not True and not callable(progress):
-        raise TypeError(f"progress must be a callable or True, not {type(progress).__name__}")
     request = BatchRequest(
         source=os.fspath(source),
         output=Path(output),

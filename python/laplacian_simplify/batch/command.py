@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from ..files.errors import printable
-from ..following import on_a_terminal
+from ..following import bar_of_steps, on_a_terminal
 from ..streams import say, show
+from ..summary import missed
 from .manifest import MANIFEST
 from .runs import BatchReport, BatchRequest, Finished, simplify_folder
 
@@ -46,18 +47,13 @@ def progress() -> Iterator[tuple[Any, Finished]]:
     if not on_a_terminal():
         yield lambda *_: None, lambda *_: None
         return
-    from tqdm import tqdm
-
-    class Bar(tqdm):  # type: ignore[misc]
-        monitor_interval = 0  # no thread that watches it
-
-    bars: list[Bar] = []
+    bars: list[Any] = []
     failed = 0
 
     def began(meshes: int, dashboard: str) -> None:
         if dashboard:
             say(f"laplacian-simplify: the work is shown at {dashboard}")
-        bars.append(Bar(total=meshes, unit=" meshes", leave=False, dynamic_ncols=True))
+        bars.append(bar_of_steps(total=meshes, unit=" meshes", dynamic_ncols=True))
 
     def finished(row: Mapping[str, Any]) -> None:
         nonlocal failed
@@ -81,7 +77,7 @@ def table(report: BatchReport, output: Path) -> list[str]:
     if done:
         before, after = (sum(row[key] for row in done) for key in ("faces_before", "faces"))
         lines[0] += f"   {before:,} -> {after:,} faces in {sum(row['seconds'] for row in done):.1f} s of work"
-        short = sum(not row["target_reached"] for row in done)
+        short = sum(missed(row) for row in done)
         lines[0] += f", target NOT reached by {short:,}" if short else ""
     failed = [row for row in (*report.meshes, *report.skipped) if row["status"] != "done"]
     lines += [f"{row['status']}: {_sentence(row)}" for row in failed[:_MOST_SHOWN]]

@@ -6,7 +6,6 @@ Its lines are only ever added; of several about one input the last one counts. W
 the file, so that there is one run in a folder at a time, and it is gone when the run ends, however that happens.
 """
 
-import fcntl
 import hashlib
 import json
 import os
@@ -17,8 +16,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from ..files.errors import MeshFileError, printable
-from ..files.staging import unwritable
+from ..files.errors import printable
+from ..files.journal import Journal
 from .inputs import MeshToDo
 
 if TYPE_CHECKING:
@@ -48,25 +47,21 @@ class Manifest:
         self.path = folder / MANIFEST
         asked = {name: value for name, value in values.items() if name not in _WITHOUT_EFFECT}
         self.options = hashlib.sha256(json.dumps([version, asked], sort_keys=True).encode()).hexdigest()[:16]
-        try:
-            self._file = self.path.open("a+b")
-        except OSError as error:
-            raise unwritable(printable(self.path), error, folder) from None
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            self._file.close()
-            raise MeshFileError(
-                f"{printable(folder)} is in use: another batch writes into it; wait for its end, or write elsewhere"
-            ) from None
+        self._journal = Journal(
+            self.path,
+            printable(self.path),
+            f"{printable(folder)} is in use: another batch writes into it; wait for its end, or write elsewhere",
+        )
         self.rows: dict[str, dict[str, Any]] = {}
-        self._read()
+        for row in self._journal.rows():
+            with suppress(KeyError, TypeError):
+                self.rows[row["input"]] = row
 
     def __enter__(self) -> "Self":
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        self._file.close()
+        self._journal.close()
 
     def is_current(self, mesh: MeshToDo, retry_refused: bool) -> bool:
         """Whether what the manifest says of the mesh would be said again."""
@@ -84,23 +79,9 @@ class Manifest:
             MeshFileError: it cannot be written.
         """
         line = {"input": mesh.name, "options": self.options, **row}
-        try:
-            self._file.write(json.dumps(line).encode() + b"\n")
-            self._file.flush()
-        except OSError as error:
-            raise unwritable(printable(self.path), error, self.path.parent) from None
+        self._journal.append(line)
         self.rows[mesh.name] = line
         return line
-
-    def _read(self) -> None:
-        self._file.seek(0)
-        text = self._file.read()
-        for line in text.splitlines():
-            with suppress(ValueError, KeyError, TypeError):  # the line of a run that was killed
-                row = json.loads(line)
-                self.rows[row["input"]] = row
-        if text and not text.endswith(b"\n"):
-            self._file.write(b"\n")
 
 
 def state_of(path: str | os.PathLike[str]) -> dict[str, Any]:

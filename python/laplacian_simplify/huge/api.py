@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict
 
 from ..running import with_one_target
 from ..simplification import Boundary, Effort
-from ..workers.arguments import bytes_of
+from ..workers.arguments import bytes_of, check_workers
 from .command import shown_progress
 from .report import HugeReport, HugeRequest, Progress
 from .runs import simplify_file
@@ -69,13 +69,9 @@ def simplify_huge(
     unknown = sorted(set(options) - set(HugeOptions.__annotations__))
     if unknown:
         raise TypeError(f"simplify_huge has no keyword '{unknown[0]}'")
-    if scheduler is not None and workers is not None:
-        raise ValueError("workers and scheduler exclude each other: a scheduler has its own workers")
-    for name, number in (("workers", workers), ("block_faces", block_faces)):
-        if number is not None and number < 1:
-            raise ValueError(f"{name} = {number} is not 1 or more")
-    if progress is not None and progress is not True and not callable(progress):
-        raise TypeError(f"progress must be a callable or True, not {type(progress).__name__}")
+    check_workers(workers, scheduler, progress)
+    if block_faces is not None and block_faces < 1:
+        raise ValueError(f"block_faces = {block_faces} is not 1 or more")
     request = HugeRequest(
         source=os.fspath(source),
         output=Path(output),

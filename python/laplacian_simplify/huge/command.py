@@ -4,15 +4,16 @@
 
 import argparse
 import json
-import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from ..file_arguments import check_report_name
 from ..files.errors import printable
 from ..files.staging import check_target, staged_output
-from ..following import on_a_terminal
+from ..following import bar_of_steps, on_a_terminal
+from ..options import as_option
 from ..streams import say, show, write_out
 from .report import HugeReport, HugeRequest
 from .runs import simplify_file
@@ -42,9 +43,7 @@ def run_huge(options: argparse.Namespace, values: Mapping[str, Any]) -> int:
 def _check_report(options: argparse.Namespace) -> None:
     """Finds out before all the work whether the report can be written."""
     check_target(options.json)
-    for name, other in (("OUTPUT", options.output), ("INPUT", options.input)):
-        if os.path.realpath(options.json) == os.path.realpath(other):
-            raise ValueError(f"--json {printable(options.json)} is the file of {name}, which it would replace")
+    check_report_name(options.json, options.output, options.input)
 
 
 def _show(options: argparse.Namespace, report: HugeReport) -> None:
@@ -52,7 +51,7 @@ def _show(options: argparse.Namespace, report: HugeReport) -> None:
     for note in report.notes:
         say(f"laplacian-simplify: note: {printable(note)}")
     title = f"{printable(options.input)} -> {printable(options.output)} in {report.seconds:.1f} s"
-    (say if options.json == "-" else show)(f"{title}\n{report}")
+    (say if options.json == "-" else show)(f"{title}\n{report.text(as_option)}")
     if options.json == "-":
         write_out(text.encode())
     elif options.json:
@@ -66,12 +65,7 @@ def shown_progress() -> Iterator[Any]:
     if not on_a_terminal():
         yield lambda *_: None
         return
-    from tqdm import tqdm
-
-    class Bar(tqdm):  # type: ignore[misc]
-        monitor_interval = 0  # no thread that watches it
-
-    with Bar(leave=False, bar_format="{desc:<12}{bar} {n_fmt}/{total_fmt}") as bar:
+    with bar_of_steps(bar_format="{desc:<12}{bar} {n_fmt}/{total_fmt}") as bar:
 
         def step(stage: str, done: int, total: int) -> None:
             bar.total = total

@@ -17,6 +17,7 @@ from .stages import Answer, Stages, Task
 
 _FEATURE_SHARE = 0.1  # of the vertices, those with the largest descriptor, as in the reports of simplify
 _WIDER = 4
+_LEAST_REACH = 1e-6  # of the size of all, so that a reach of 0, as of a result without area, gets wider, too
 
 
 @dataclass(frozen=True)
@@ -111,6 +112,8 @@ def nearest_in_parts(
     folder = stages.work.path
     best = np.full(len(points), np.inf)
     pending = np.arange(len(points))
+    corners = [surface.box[side] for surface in surfaces for side in ("low", "high")]
+    reach = max(reach, _LEAST_REACH * float(np.ptp(np.concatenate([points, corners]), axis=0).max()))
     turn = 0
     while len(pending):
         written = save_arrays(folder / f"{key}-{turn}.points", {"points": points[pending], "numbers": pending})

@@ -19,6 +19,8 @@ from .collapse import Engine
 from .gather import Item, Part, gather, load
 
 _ROWS = 1 << 20
+_FACES_A_THREAD = 250_000
+"""As in the engine's own passes. More threads gain little, and their stacks take address space, which is bounded."""
 
 
 def last_run(
@@ -40,7 +42,7 @@ def last_run(
         file: to write.
     """
     mesh, before = _whole_mesh(folder, parts, item, shown)
-    parameters = engine.parameters(target, effort, threads=len(os.sched_getaffinity(0))) | {
+    parameters = engine.parameters(target, effort, threads=_threads(len(mesh.faces))) | {
         "avoid_self_intersections": int(avoid_crossings),
         "clean_input": 1,
         "measure_error": int(measure),
@@ -54,6 +56,10 @@ def last_run(
     }
     counts = {"faces": len(outcome.faces), "vertices": len(outcome.vertices)}
     return {**save_arrays(folder / file, arrays), **counts, "report": outcome.report | before}
+
+
+def _threads(faces: int) -> int:
+    return min(len(os.sched_getaffinity(0)), 1 + faces // _FACES_A_THREAD)
 
 
 def _whole_mesh(folder: Path, parts: list[Part], item: Item | None, shown: str) -> tuple[MeshArrays, dict[str, int]]:

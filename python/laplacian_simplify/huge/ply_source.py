@@ -45,7 +45,7 @@ class PlySource:
             for name in self._places["vertex" if element == "vertices" else "face"].names
             if name not in kept
         ]
-        self.single = all(self._places["vertex"].dtype[name].itemsize <= 4 for name in "xyz")
+        self.single = all(np.can_cast(self._places["vertex"].dtype[name], np.float32) for name in "xyz")
 
     def bounds(self, begin: int, end: int) -> Bounds:
         """The box of vertices."""

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from ..answers import Spelling, as_keyword
 from ..report import STOP_REASONS, StopReason
 from ..summary import summary_lines
 
@@ -77,9 +78,13 @@ class HugeReport:
         return values | {"stop_reason": int(self.stop_reason), "stop_reason_text": self.stop_reason_text}
 
     def __str__(self) -> str:
+        return self.text()
+
+    def text(self, spelled: Spelling = as_keyword) -> str:
+        """For people; remedies spell parameters as the caller does."""
         numbers = self.to_dict()
         numbers.pop("dropped_faces")
-        lines = summary_lines(numbers)
+        lines = summary_lines(numbers, spelled)
         if self.boundary_edges_before is not None:
             lines.append(
                 f"before    {self.non_manifold_edges_before:,} non-manifold edges, "

@@ -4,7 +4,8 @@
 
 import os
 import time
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory, TemporaryFile
@@ -22,7 +23,7 @@ from .collapse import Engine
 from .plan import Sizes, sizes_for
 from .report import HugeReport, HugeRequest, Progress
 from .source import Source, open_source
-from .work_folder import WorkFolder
+from .work_folder import SchedulerGoneError, WorkFolder
 
 if TYPE_CHECKING:
     from .rounds import Aim, Simplified
@@ -58,6 +59,7 @@ def simplify_file(request: HugeRequest, progress: Progress) -> HugeReport:
         memory = request.memory or workers.memory_of_one
         sizes = sizes_for(memory, request.block_faces)
         work = stack.enter_context(_work_folder(request, target, sizes))
+        stack.enter_context(_without_leftovers(work))
         _check_room(work, source, sizes, target)
         from .stages import Stages
 
@@ -203,6 +205,24 @@ def _work_folder(request: HugeRequest, target: int, sizes: Sizes) -> WorkFolder:
         "faces of a chunk": request.chunk_faces or sizes.block,
     }
     return WorkFolder(folder.absolute(), state)
+
+
+@contextmanager
+def _without_leftovers(work: WorkFolder) -> Iterator[None]:
+    """Removes the folder of a run that is refused before there is anything to keep. Later a run with more memory is
+    another one, for which the folder is in the way."""
+    try:
+        yield
+    except SchedulerGoneError:
+        raise
+    except (ValueError, MeshFileError) as error:
+        if work.get("checksums") is None:
+            with suppress(OSError):
+                work.remove()
+        elif str(error).endswith("by --memory"):
+            folder = printable(work.path)
+            raise MeshFileError(f"{error}, and another --work-folder, or remove {folder}") from None
+        raise
 
 
 def _check_room(work: WorkFolder, source: Source, sizes: Sizes, target: int) -> None:

@@ -41,7 +41,7 @@ def sample(folder: Path, mesh: Block, fixed: Array, density: float, file: str) -
 
 def spread(positions: Array, triangles: Array, count: int) -> tuple[Array, float]:
     """Points spread evenly by area, and the area: stratified along the faces, of low discrepancy within them."""
-    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    a, b, c = (positions[triangles[:, k]].astype(np.float64) for k in range(3))
     up_to = np.cumsum(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
     if not up_to[-1] > 0:
         return np.empty((0, 3)), 0.0

@@ -19,7 +19,7 @@ from ..workers.pool import Processes
 from ..workers.process import Kind
 from .plan import block_memory
 from .report import Progress
-from .work_folder import WorkFolder
+from .work_folder import SchedulerGoneError, WorkFolder
 
 Answer = dict[str, Any]
 
@@ -133,7 +133,7 @@ class Stages:
     def _answer(self, future: Future, stage: str) -> Answer:
         if future.status not in ("finished", "error"):
             self.is_lost = True
-            raise MeshFileError(_LOST)
+            raise SchedulerGoneError(_LOST)
         if future.status == "error":
             error = future.exception()
             lost = isinstance(error, KilledWorker)

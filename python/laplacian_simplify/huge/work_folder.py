@@ -6,7 +6,6 @@
 size and checksum of its file. Files appear whole or not at all.
 """
 
-import fcntl
 import json
 import os
 import shutil
@@ -17,6 +16,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from ..files.errors import MeshFileError, printable
+from ..files.journal import Journal
 from ..files.staging import unwritable
 from .array_file import is_whole
 
@@ -26,6 +26,10 @@ if TYPE_CHECKING:
 STATE, JOURNAL = "state.json", "journal.jsonl"
 SUFFIXES = (".counts", ".layout", ".chunk", ".block", ".points", ".distances")
 """Of the files with arrays."""
+
+
+class SchedulerGoneError(MeshFileError):
+    """Nobody does the work any more; what is done is kept."""
 
 
 class WorkFolder:
@@ -46,29 +50,23 @@ class WorkFolder:
         try:
             path.mkdir(parents=True, exist_ok=True)
             self._refuse_what_is_none()
-            self._file = (path / JOURNAL).open("a+b")
         except MeshFileError:
             raise
         except OSError as error:
             raise unwritable(self._shown, error, path) from None
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            self._file.close()
-            raise MeshFileError(
-                f"{self._shown} is in use: another run works there; wait for its end, or give another --work-folder"
-            ) from None
+        busy = f"{self._shown} is in use: another run works there; wait for its end, or give another --work-folder"
+        self._journal = Journal(path / JOURNAL, self._shown, busy)
         try:
             self._begin(dict(state))
         except BaseException:
-            self._file.close()
+            self._journal.close()
             raise
 
     def __enter__(self) -> "Self":
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        self._file.close()
+        self._journal.close()
 
     def get(self, key: str) -> Any:
         """What was written down under this key, or nothing."""
@@ -81,11 +79,7 @@ class WorkFolder:
             MeshFileError: there is no room for it.
         """
         self._values[key] = value
-        try:
-            self._file.write(json.dumps({"key": key, "value": value}).encode() + b"\n")
-            self._file.flush()
-        except OSError as error:
-            raise unwritable(printable(self.path / JOURNAL), error, self.path) from None
+        self._journal.append({"key": key, "value": value})
 
     def values(self) -> list[Any]:
         """All that was written down."""
@@ -124,10 +118,11 @@ class WorkFolder:
 
     def remove(self) -> None:
         """Removes what the run has made, and the folder if nothing else is in it."""
+        self.drop(STATE)  # without it a run begins anew, whatever else is left where this one is killed
         for file in list(self.path.iterdir()):
             if file.suffix in (*SUFFIXES, ".part"):
                 file.unlink(missing_ok=True)
-        self.drop(STATE, JOURNAL)
+        self.drop(JOURNAL)
         with suppress(OSError):
             self.path.rmdir()
 
@@ -140,7 +135,7 @@ class WorkFolder:
         path = self.path / STATE
         before = self._read_state(path)
         if before is None:
-            self._file.truncate(0)
+            self._journal.clear()
             self._write_state(path, state)
         for name in state:
             if before is not None and before.get(name) != state[name]:
@@ -150,14 +145,9 @@ class WorkFolder:
                 )
         for file in self.path.glob("*.part"):  # of processes that were killed
             file.unlink(missing_ok=True)
-        self._file.seek(0)
-        text = self._file.read()
-        for line in text.splitlines():
-            with suppress(ValueError, KeyError, TypeError):  # the line of a run that was killed
-                row = json.loads(line)
+        for row in self._journal.rows():
+            with suppress(KeyError, TypeError):
                 self._values[row["key"]] = row["value"]
-        if text and not text.endswith(b"\n"):
-            self._file.write(b"\n")
 
     def _read_state(self, path: Path) -> Any:
         if not path.exists():

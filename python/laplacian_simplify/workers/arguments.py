@@ -27,6 +27,20 @@ def add_worker_arguments(parser: argparse.ArgumentParser, jobs: str, memory: str
     parser.add_argument("--memory", type=_bytes, metavar="SIZE", help=f"{memory}, such as 4GiB. Default: 3/4 of all.")
 
 
+def check_workers(workers: int | None, scheduler: str | None, progress: object) -> None:
+    """Refuses keywords of functions that have workers.
+
+    Raises:
+        TypeError, ValueError: one is wrong.
+    """
+    if scheduler is not None and workers is not None:
+        raise ValueError("workers and scheduler exclude each other: a scheduler has its own workers")
+    if workers is not None and workers < 1:
+        raise ValueError(f"workers = {workers} is not 1 or more")
+    if progress is not None and progress is not True and not callable(progress):
+        raise TypeError(f"progress must be a callable or True, not {type(progress).__name__}")
+
+
 def count(text: str) -> int:
     """A number of one or more."""
     number = int(text)
