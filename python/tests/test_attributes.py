@@ -103,8 +103,9 @@ def test_vertices_doubled_along_seams_are_doubled_again() -> None:
         )
     )
     report = ls.simplify(mesh_set, target_percent=20)
-    assert report.boundary_edges == 0, "welded, the box is closed"
     mesh = mesh_set.current_mesh()
+    topology = mesh_set.apply_filter("get_topological_measures")
+    assert report.boundary_edges == topology["boundary_edges"] > 0, "the edges of what is returned: its seams are open"
     cells = np.floor(mesh.vertex_tex_coord_matrix()[mesh.face_matrix()] * [3, 2])
     assert (cells == cells[:, :1]).all(), "no face shows two sides of the box"
     mesh_set.apply_filter("meshing_merge_close_vertices", threshold=pymeshlab.PercentageValue(0))
