@@ -43,7 +43,7 @@ In ratios to CGAL's tools, two distances below 0.001 % count as equal. Groups: {
 
 MODELS_ORIGIN = (
     "These public test models are not part of the project;\n`--meshes FOLDER` names their folder. Folded faces and "
-    "topology are also counted on the other meshes of that folder and on [sample_meshes](../sample_meshes)."
+    "topology are also counted on the other meshes of that folder and on [sample_meshes](../sample_meshes/README.md)."
 )
 
 SAMPLES_ORIGIN = (

@@ -78,7 +78,7 @@ describe_installed() {
     uname -m
     nproc
     dpkg-query -W "$@" 2>/dev/null || true
-    cat "$cache"/{hosts,sources}/*/complete "$python_environment"/{complete,development}
+    cat "$cache"/{hosts,sources}/*/complete "$python_environment"/{complete,development,docs}
 }
 
 # Prints where the time went: the steps of at least a second, the longest first.

@@ -4,13 +4,14 @@
 
 # The project's Python: a virtual environment in the cache folder with the pinned packages of others, and the
 # project's own package in build/python of this checkout, so that two checkouts do not get into each other's way.
-# What checks the project (pytest, mypy and so on), and Dask for the command batch, are put into the environment only
-# where they are asked for.
+# What checks the project (pytest, mypy and so on), Dask for the command batch, and Sphinx are put into the environment
+# only where they are asked for.
 
 python_environment=$cache/python
 python_requirements=$top/scripts/requirements.txt
 batch_requirements=$top/scripts/requirements-batch.txt
 development_requirements=$top/scripts/requirements-development.txt
+docs_requirements=$top/scripts/requirements-docs.txt
 project_package=$top/build/python
 
 python_packages_folder() { printf '%s\n' "$python_environment"/lib/python3.*/site-packages; }
@@ -33,6 +34,9 @@ ensure_development() {
     ensure_batch
     ensure_more development "Python packages that check the project" "$development_requirements"
 }
+
+# ensure_docs: and those that build the documentation.
+ensure_docs() { ensure_more docs "Python packages that build the documentation" "$docs_requirements"; }
 
 # ensure_more NAME TITLE REQUIREMENTS: a further list of packages in the environment.
 ensure_more() {
@@ -88,4 +92,12 @@ build_package() {
 # run_python ARGUMENT...: Python of the environment with laplacian_simplify in it, in place of this shell.
 run_python() {
     PYTHONPATH=$project_package${PYTHONPATH:+:$PYTHONPATH} exec "$python_environment/bin/python" "$@"
+}
+
+# build_docs BUILDER: the documentation by that builder of Sphinx, into build/docs or build/docs-BUILDER.
+build_docs() {
+    local output=$top/build/docs
+    [[ $1 == html ]] || output+=-$1
+    "$python_environment/bin/python" -m sphinx -W --keep-going -q -b "$1" -d "$top/build/docs-state" \
+        "$top/docs" "$output"
 }
