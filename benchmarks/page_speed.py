@@ -143,5 +143,5 @@ def descriptor_lines(descriptor: dict) -> list[str]:
     if "arrays" in descriptor:
         arrays = descriptor["arrays"]
         lines += ["", f"Without a host; other programs kept {arrays['others']:.1f} cores busy:", ""]
-        lines += ["```", *arrays["report"].splitlines(), "```"]
+        lines += ["```text", *arrays["report"].splitlines(), "```"]
     return lines
