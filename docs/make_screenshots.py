@@ -7,6 +7,7 @@
 after `scripts/hosts` and `cmake --preset meshlab-2025.07 && cmake --build --preset meshlab-2025.07`.
 """
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -21,7 +22,7 @@ from test_dialogs import opened_mesh  # noqa: E402
 
 VERSION = "2025.07"
 PICTURES = TOP / "docs" / "images" / "tutorial"
-MESH = TOP / "sample_meshes" / "flange.ply"
+MESH = "flange.ply"
 SIMPLIFY = "Simplification: Laplacian-Guided Quadric Edge Collapse"
 DESCRIPTOR = "Laplacian Shape Descriptor"
 TARGET = 2368  # faces: a tenth
@@ -32,6 +33,7 @@ WIDTH = 1000  # of the pictures, pixels
 def main() -> None:
     PICTURES.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory() as scratch, running_display(Path(scratch) / "display.log") as display:
+        shutil.copy(TOP / "sample_meshes" / MESH, scratch)  # the log shows where it lies
         host = install_host(VERSION, Path(scratch) / "meshlab", built_plugin(f"meshlab-{VERSION}"))
         take_search(host, display, Path(scratch))
         take_descriptor(host, display, Path(scratch))
@@ -40,7 +42,7 @@ def main() -> None:
 
 def take_search(host: HostProgram, display: Display, scratch: Path) -> None:
     """The search box with what it finds."""
-    with opened_mesh(host, display, MESH, scratch / "search.log"):
+    with opened_mesh(host, display, scratch / MESH, scratch / "search.log"):
         display.keys("Escape", "ctrl+f")
         display.type("Laplacian")
         save(display, "search")
@@ -48,7 +50,7 @@ def take_search(host: HostProgram, display: Display, scratch: Path) -> None:
 
 def take_descriptor(host: HostProgram, display: Display, scratch: Path) -> None:
     """The mesh in the colors of its descriptor."""
-    with opened_mesh(host, display, MESH, scratch / "descriptor.log") as meshlab:
+    with opened_mesh(host, display, scratch / MESH, scratch / "descriptor.log") as meshlab:
         dialog = meshlab.open_dialog(DESCRIPTOR)
         meshlab.apply(dialog)
         close(display, dialog)
@@ -56,14 +58,16 @@ def take_descriptor(host: HostProgram, display: Display, scratch: Path) -> None:
 
 
 def take_simplified(host: HostProgram, display: Display, scratch: Path) -> None:
-    """The dialog with a target, and the edges of what remains. Tab leads to the first field of the dialog."""
-    with opened_mesh(host, display, MESH, scratch / "simplified.log") as meshlab:
+    """The dialog with a target, and the edges of what remains. Tabs lead to the first field of the dialog."""
+    with opened_mesh(host, display, scratch / MESH, scratch / "simplified.log") as meshlab:
         dialog = meshlab.open_dialog(SIMPLIFY)
         display.activate(dialog)
-        display.keys("Tab", "ctrl+a")
+        display.keys("Tab", "Tab", "Tab", "ctrl+a")
         display.type(str(TARGET))
         save(display, "dialog")
         meshlab.apply(dialog)
+        if f"{TARGET:,} faces" not in meshlab.log():
+            raise RuntimeError(f"the target did not arrive in the dialog: {meshlab.log()}")
         close(display, dialog)
         display.click(*WIREFRAME)
         save(display, "simplified")
@@ -79,7 +83,7 @@ def close(display: Display, dialog: str) -> None:
 def save(display: Display, name: str) -> None:
     file = PICTURES / f"{name}.png"
     display.screenshot(file)
-    subprocess.run(["convert", file, "-resize", f"{WIDTH}x", "-strip", "-colors", "128", file], check=True)
+    subprocess.run(["convert", file, "-resize", f"{WIDTH}x", "-strip", "-colors", "64", file], check=True)
 
 
 if __name__ == "__main__":

@@ -89,7 +89,8 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in ("python", "python3"):
         write_program(folder / name, sys.executable)
     compiler = ["ccache"] if shutil.which("ccache") else []
-    (folder / "c++").write_text(f'#!/bin/sh\nexec {" ".join(compiler)} g++ "$@" -O0\n')  # which takes a third of the time
+    text = f'#!/bin/sh\nexec {" ".join(compiler)} g++ "$@" -O0\n'  # compiles in a third of the time
+    (folder / "c++").write_text(text)
     (folder / "c++").chmod(0o755)
     write_program(folder / "laplacian-simplify", sys.executable, "-P", "-m", "laplacian_simplify")
     host = install_host("2020.09", tmp_path_factory.mktemp("meshlab-2020.09"), built_plugin("meshlab-2020.09"))
