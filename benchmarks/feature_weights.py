@@ -51,7 +51,8 @@ def main() -> None:
         for name, options in SETTINGS.items()
     }
     print(f"{len(paths)} meshes: {', '.join(path.stem for path in paths)}; {len(errors[DEFAULT])} results each\n")
-    print("| | rms | feature rms | largest distance | less/more rms | less/more feature rms |\n|---|---|---|---|---|---|")
+    print("| | rms | feature rms | largest distance | less/more rms | less/more feature rms |")
+    print("|---|---|---|---|---|---|")
     for name, values in errors.items():
         ratios = values / errors[DEFAULT]
         means = " | ".join(f"{mean:.2f}" for mean in np.exp(np.log(ratios[:, :3]).mean(axis=0)))

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fenced code blocks of the project's pages."""
+"""The fenced code blocks of the project's pages, and the cells of its notebooks."""
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,14 +33,17 @@ class Block:
 
 
 def pages() -> list[str]:
-    found = [*PROJECT.glob("*.md"), *(PROJECT / "docs").rglob("*.md")]
+    found = [*PROJECT.glob("*.md"), *(PROJECT / "docs").rglob("*.md"), *(PROJECT / "docs").rglob("*.ipynb")]
     found += [PROJECT / "python" / "README.md", PROJECT / "sample_meshes" / "README.md"]
     return sorted(str(path.relative_to(PROJECT)) for path in found)
 
 
 def blocks_of(page: str) -> list[Block]:
     """The blocks of a page, but for Sphinx's directives, whose contents are no code of the page."""
-    lines = (PROJECT / page).read_text(encoding="utf-8").splitlines()
+    text = (PROJECT / page).read_text(encoding="utf-8")
+    if page.endswith(".ipynb"):
+        return [Block(page, 1, "python", code) for code in _cells(text)]
+    lines = text.splitlines()
     found: list[Block] = []
     at = 0
     while at < len(lines):
@@ -57,3 +61,7 @@ def blocks_of(page: str) -> list[Block]:
             found.append(Block(page, start + 1, fence[3], text, name, kind == "output"))
         at += 1
     return found
+
+
+def _cells(notebook: str) -> list[str]:
+    return ["".join(cell["source"]) for cell in json.loads(notebook)["cells"] if cell["cell_type"] == "code"]

@@ -24,6 +24,7 @@ NOT_RUN = {
     ("README.md", "<!DOCTYPE FilterScript>"): "python/tests/test_readme.py runs it",
     ("CONTRIBUTING.md", "cmake -B build/mine"): "needs a MeshLab that somebody built",
     ("python/README.md", "pip install laplacian_simplify-"): "needs a source tree of MeshLab; tests/packages installs",
+    ("docs/recipes.md", "import bpy"): "needs Blender, 350 MB; tried with bpy 5.0.1",
     ("docs/scale.md", "laplacian-simplify huge"): "for a mesh larger than memory; python/tests/test_huge.py runs it",
     ("docs/scale.md", "dask scheduler"): "needs several machines; python/tests/test_batch.py has a scheduler",
     ("docs/scale.md", "from dask_jobqueue"): "needs a cluster with SLURM",
@@ -34,11 +35,12 @@ PASSED_OVER = {
     "pip install": "tests/packages installs into empty environments",
     "python -m pip install": "the same",
     "scripts/install": "tests/scripts/test_install.py does",
+    "snakemake": "not among the pinned packages; tried with Snakemake 9",
 }
 """Lines of shell that are not run, by their beginning."""
 
 LANGUAGES = {"sh", "python"}
-ONLY_FILES = {"cpp", "cmake", "xml", "json"}
+ONLY_FILES = {"cpp", "cmake", "xml"}
 
 PREPARED = {
     "python/README.md": """
