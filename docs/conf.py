@@ -16,14 +16,13 @@ author = "The Laplacian Simplify authors"
 project_copyright = "2026 The Laplacian Simplify authors"
 release = tomllib.loads((TOP / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 myst_heading_anchors = 3  # links to headings, as "files.md#writing", are checked
 exclude_patterns = ["examples"]
 nitpicky = True
 
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
-autosummary_generate = False
 python_use_unqualified_type_names = True
 napoleon_numpy_docstring = False
 
