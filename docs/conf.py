@@ -20,6 +20,10 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 myst_heading_anchors = 3  # links to headings, as "files.md#writing", are checked
 exclude_patterns = ["examples"]
 nitpicky = True
+# Types to which no page here leads: those of others, and the dictionaries of keywords, which simplify describes.
+nitpick_ignore_regex = [
+    ("py:class", r"(collections\.abc|os|pathlib|pymeshlab)\..*|PathLike|NDArray|(.*\.)?M|\w+Options"),
+]
 
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
@@ -42,5 +46,12 @@ def lead_to_included_pages(_app: Sphinx, _page: str, source: list[str]) -> None:
         source[0] = source[0].replace(f"]({there}", f"]({here}")
 
 
+def keep_colons(_app: Sphinx, what: str, _name: str, _value: object, _options: object, lines: list[str]) -> None:
+    """Napoleon takes what comes before a colon in the first line about an attribute for its type."""
+    if what in ("attribute", "data", "property"):
+        lines[:0] = ["..", ""]  # an empty comment
+
+
 def setup(app: Sphinx) -> None:
+    app.connect("autodoc-process-docstring", keep_colons, priority=400)  # before napoleon, which has 500
     app.connect("source-read", lead_to_included_pages)

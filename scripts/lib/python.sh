@@ -94,10 +94,11 @@ run_python() {
     PYTHONPATH=$project_package${PYTHONPATH:+:$PYTHONPATH} exec "$python_environment/bin/python" "$@"
 }
 
-# build_docs BUILDER: the documentation by that builder of Sphinx, into build/docs or build/docs-BUILDER.
+# build_docs BUILDER: the documentation by that builder of Sphinx, into build/docs or build/docs-BUILDER. All pages are
+# read again (-E): Sphinx does not repeat the warnings of a page that has not changed.
 build_docs() {
     local output=$top/build/docs
     [[ $1 == html ]] || output+=-$1
-    "$python_environment/bin/python" -m sphinx -W --keep-going -q -b "$1" -d "$top/build/docs-state" \
+    "$python_environment/bin/python" -m sphinx -W --keep-going -q -E -b "$1" -d "$top/build/docs-state" \
         "$top/docs" "$output"
 }
