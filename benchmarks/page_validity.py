@@ -10,8 +10,8 @@ INTRODUCTION = (
     "Every mesh of `--meshes` and of [sample_meshes](../sample_meshes/README.md) at {percents} % of its faces, against "
     "CGAL's Lindstrom–Turk with bounded normal change. Folded faces are shown as sum/maximum over the percentages; "
     "bold: the percentages where this project has more of them than Lindstrom–Turk, with both counts. Other faults are "
-    "new non-manifold edges and vertices, duplicate and degenerate faces, targets missed and failed runs. {runs} runs of "
-    "each of this project's tools."
+    "new non-manifold edges and vertices, duplicate and degenerate faces, targets missed and failed runs. {runs} runs "
+    "of each of this project's tools."
 )
 
 
