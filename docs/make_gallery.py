@@ -44,11 +44,12 @@ HEADER = """<!-- SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors -->
 # Gallery
 
 Eight meshes, each simplified to {percent} % of its faces by MeshLab's quadric edge collapse with its defaults, by VTK's
-`vtkQuadricDecimation`, and by this project with its defaults. Of the programs in the benchmark that can be installed from
-PyPI, VTK has the smallest rms; CGAL's Lindstrom–Turk, which cannot, has a smaller one still, and Blender is ahead of VTK at
-features ([all tools](benchmark.md#all-tools)). The lower row shows the original, colored by the
-distance from each of its vertices to the simplified surface. The scale, in percent of the diagonal of the bounding box,
-is the same for all programs.
+`vtkQuadricDecimation`, and by this project with its defaults. VTK has the smallest rms of the programs in the
+[benchmark](benchmark.md#all-tools) that can be installed from PyPI. CGAL's Lindstrom–Turk, which cannot, has a smaller
+one still, and Blender is ahead of VTK at features.
+
+The lower row shows the original, colored by the distance from each of its vertices to the simplified surface. The scale,
+in percent of the diagonal of the bounding box, is the same for all programs.
 
 The errors are measured by the [benchmark's tool](../benchmarks/metrics.py), in percent of the diagonal: rms in both
 directions, rms at the tenth of the vertices with the largest descriptor, and the largest distance; the smallest of a
