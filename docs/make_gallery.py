@@ -48,8 +48,8 @@ Eight meshes, each simplified to {percent} % of its faces by MeshLab's quadric e
 [benchmark](benchmark.md#all-tools) that can be installed from PyPI. CGAL's Lindstrom–Turk, which cannot, has a smaller
 one still, and Blender is ahead of VTK at features.
 
-The lower row shows the original, colored by the distance from each of its vertices to the simplified surface. The scale,
-in percent of the diagonal of the bounding box, is the same for all programs.
+The lower row shows the original, colored by the distance from each of its vertices to the simplified surface. The
+scale, in percent of the diagonal of the bounding box, is the same for all programs.
 
 The errors are measured by the [benchmark's tool](../benchmarks/metrics.py), in percent of the diagonal: rms in both
 directions, rms at the tenth of the vertices with the largest descriptor, and the largest distance; the smallest of a
