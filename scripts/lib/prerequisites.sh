@@ -3,6 +3,7 @@
 # shellcheck shell=bash
 
 # Packages of the distribution that the project needs: the only part that wants root.
+# shellcheck disable=SC2034 # not every script builds
 build_packages=(g++ cmake ninja-build qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
     python3 python3-venv libgl1 libopengl0 ca-certificates dpkg-dev xz-utils)
 # shellcheck disable=SC2034 # not every script tests
