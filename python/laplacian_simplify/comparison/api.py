@@ -6,7 +6,8 @@ from os import PathLike
 from time import perf_counter
 from typing import Any
 
-from .distances import SAMPLES, measure
+from .arguments import SAMPLES
+from .distances import measure
 from .report import CompareReport, report_of
 from .sources import surface_of
 

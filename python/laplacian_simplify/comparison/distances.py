@@ -15,10 +15,9 @@ import numpy as np
 from ..huge.array_file import Array
 from ..huge.samples import spread
 from ..huge.surface_library import descriptor, distances
+from .arguments import SAMPLES
 from .surface import Surface
 
-SAMPLES = 100_000
-"""Points a side beside the vertices: those that simplify takes, so that both reports have the same numbers."""
 _FEATURE_SHARE = 0.1
 """Of the vertices, those with the largest descriptor, as in the reports of simplify."""
 

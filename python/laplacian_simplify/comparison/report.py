@@ -9,7 +9,7 @@ from ..report import Report
 from .distances import Distances
 from .surface import Surface
 
-_LENGTHS = (
+LENGTHS = (
     "hausdorff",
     "rms",
     "feature_rms",
@@ -62,7 +62,7 @@ class CompareReport(Report):
     @property
     def in_units(self) -> dict[str, float]:
         """The distances in the unit of the coordinates."""
-        values = {name: getattr(self, name) for name in _LENGTHS}
+        values = {name: getattr(self, name) for name in LENGTHS}
         return {name: value * self.diagonal / 100 for name, value in values.items() if value is not None}
 
     def to_dict(self) -> dict[str, Any]:

@@ -17,7 +17,7 @@ _EDGES_IN_DIAGONAL = 150
 """Longest edges are this part of the diagonal: a few points of a picture."""
 _MOST_PARTS = 64
 _SHARE = 0.995
-_LEAST = 1e-6
+_LEAST = 1e-4  # percent: below, rounding would be all that is seen
 _STEPS = (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
 
 
@@ -91,9 +91,11 @@ def _grid(parts: int) -> tuple[Array, Array]:
 
 
 def color_limit(found: Distances, diagonal: float) -> float:
-    """Where the scale of colors ends, a round number: at most half a percent of either surface is beyond it."""
+    """Where the scale of colors ends, in the unit of the distances: a round percentage of the diagonal. At most half a
+    percent of both surfaces is beyond it."""
     at_points = np.concatenate([found.forward.at_points, found.backward.at_points])
     share = float(np.quantile(at_points, _SHARE)) if len(at_points) else 0.0
-    limit = max(share, found.largest / 1000, _LEAST * diagonal) or 1.0
+    unit = diagonal / 100 or 1.0
+    limit = max(share / unit, found.largest / unit / 1000, _LEAST)
     power = 10 ** np.floor(np.log10(limit))
-    return float(next(step * power for step in _STEPS if step * power >= limit * (1 - 1e-9)))
+    return unit * float(next(step * power for step in _STEPS if step * power >= limit * (1 - 1e-9)))

@@ -11,13 +11,15 @@ from importlib.util import find_spec
 from os import PathLike
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..child import Child, ChildCrashError
 from ..file_arguments import check_apart
 from ..files.errors import printable
 from ..files.staging import check_target, staged_output
-from .scene import Facts, Scene
+
+if TYPE_CHECKING:
+    from .scene import Facts, Scene
 
 _NEEDED = ("matplotlib", "pyvista")
 # What VTK draws with where there is no display, the first that is there: a library, and VTK's name for its window.
@@ -71,7 +73,7 @@ class Outputs:
             }
             yield paths
 
-    def write(self, scene: Scene, facts: Facts) -> None:
+    def write(self, scene: "Scene", facts: "Facts") -> None:
         """Draws, in a process of its own; a file appears whole or not at all.
 
         Raises:
@@ -99,7 +101,7 @@ DRAW = "pictures.work:draw"
 """The function that draws, for a process of its own."""
 
 
-def drawing(scene: Path, facts: Facts, staged: dict[str, str | None]) -> dict[str, Any]:
+def drawing(scene: Path, facts: "Facts", staged: dict[str, str | None]) -> dict[str, Any]:
     """Its arguments."""
     return {"scene": str(scene), "facts": asdict(facts), **staged}
 
