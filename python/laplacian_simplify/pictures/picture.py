@@ -103,7 +103,7 @@ def _composed(images: list[Array], scene: Scene, facts: Facts, look: Look, heigh
     titles = (
         (f"{facts.labels[0]}: {before}", f"{len(scene.before.faces):,} faces"),
         (f"{facts.labels[1]}: {after}", f"{len(scene.after.faces):,} faces"),
-        (f"Distance: {facts.labels[0]} to {facts.labels[1]}", "from every point to the closest one"),
+        (f"Distance from {_in_text(facts.labels[0])} to {_in_text(facts.labels[1])}", "of every point to the closest one"),
     )
     for k, (image, (title, subtitle)) in enumerate(zip(images, titles, strict=True)):
         box = (k * _PANEL / whole[0], _FOOT / whole[1], _PANEL / whole[0], height / whole[1])
@@ -114,8 +114,8 @@ def _composed(images: list[Array], scene: Scene, facts: Facts, look: Look, heigh
         _write(figure, middle, 1 - 0.3 / whole[1], title, 11, "center", weight="bold")
         _write(figure, middle, 1 - 0.55 / whole[1], subtitle, 9.5, "center", color="#4a545c")
     _scale(figure, look, whole, height)
-    lines = [f"{label}  {line}" for label, line in facts.summary if label in ("distance", "length")]
-    for k, line in enumerate(lines[:2]):
+    lines = [f"{label}  {line}" for label, line in facts.summary if label in ("faces", "distance", "length")]
+    for k, line in enumerate(lines[-2:]):
         _write(figure, 0.2 / whole[0], (0.52 - 0.26 * k) / whole[1], line, 9.5, "left", color="#2b3238")
     _write(
         figure, 1 - 0.2 / whole[0], 0.26 / whole[1], f"Laplacian Simplify {facts.version}", 8, "right", color="#7b858d"
@@ -139,7 +139,7 @@ def _scale(figure: Any, look: Look, whole: tuple[float, float], height: float) -
     bar = figure.colorbar(colors, cax=axes, extend="max", extendfrac=0.04)
     bar.ax.tick_params(labelsize=8)
     bar.outline.set_linewidth(0.6)
-    bar.set_label("% of the bounding box's diagonal", fontsize=8.5)
+    bar.set_label("% of the diagonal", fontsize=8.5)
     other = axes.secondary_yaxis("left", functions=(lambda value: value / percent, lambda value: value * percent))
     other.tick_params(labelsize=8)
     other.set_ylabel("units of the mesh", fontsize=8.5)
@@ -148,6 +148,10 @@ def _scale(figure: Any, look: Look, whole: tuple[float, float], height: float) -
 def _write(figure: Any, x: float, y: float, text: str, size: float, side: str, **style: Any) -> None:
     """Text as it stands: a dollar sign is no formula."""
     figure.text(x, y, text, fontsize=size, ha=side, va="center", parse_math=False, **style)
+
+
+def _in_text(label: str) -> str:
+    return label if len(label) == 1 else label.lower()
 
 
 def _shortened(name: str) -> str:
