@@ -65,12 +65,14 @@ def _render(
     try:
         plotter.set_background("white")
         mesh = pyvista.PolyData.from_regular_faces(look.view.placed(positions), faces.astype(np.int64))
-        style: dict[str, Any] = {"ambient": 0.4, "diffuse": 0.66, "specular": 0.0, "show_scalar_bar": False}
+        style: dict[str, Any] = {"specular": 0.0, "show_scalar_bar": False}
         if errors is None:
             style |= {"color": _GREY, "show_edges": edges, "edge_color": _EDGE, "line_width": 1.0}
+            style |= {"ambient": 0.4, "diffuse": 0.66}
         else:
             mesh.point_data["error"] = errors
             style |= {"scalars": "error", "cmap": _color_map(), "clim": (0, look.limit), "interpolate_before_map": True}
+            style |= {"ambient": 0.55, "diffuse": 0.5}  # shaded less, so that colors are those of the scale
         plotter.add_mesh(mesh, **style)
         camera = plotter.camera
         camera.focal_point = look.view.middle

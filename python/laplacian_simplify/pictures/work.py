@@ -16,7 +16,7 @@ from .picture import Look, draw_picture
 from .scene import Facts, Scene
 from .view import view_of
 
-_FACES_OF_PICTURE = 400_000
+_FACES_OF_PICTURE = 200_000
 """Up to which large faces are divided, so that colors show what is within them."""
 _WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
 
