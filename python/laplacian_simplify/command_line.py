@@ -142,8 +142,8 @@ def _run(
         with scratch_named(files.shown_input):
             scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
         scene = Path(scratch) / "scene.npz"
-        arguments["scene"] = str(scene) if outputs else None
-        answer = in_a_process(arguments, scratch, quiet=options.quiet)
+        for_drawing = {"scene": str(scene)} if outputs else {}
+        answer = in_a_process({**arguments, **for_drawing}, scratch, quiet=options.quiet)
         report = answer["report"]
         if getattr(options, "strict", False) and missed(report):
             raise MissedTargetError(f"{files.shown_input}: target not reached: {why_missed(report, as_option)}")

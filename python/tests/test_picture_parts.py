@@ -29,7 +29,8 @@ def areas(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def longest(positions: np.ndarray, faces: np.ndarray) -> float:
-    return float(max(np.linalg.norm(positions[faces[:, k]] - positions[faces[:, k - 1]], axis=1).max() for k in range(3)))
+    edges = [positions[faces[:, k]] - positions[faces[:, k - 1]] for k in range(3)]
+    return float(np.linalg.norm(edges, axis=-1).max())
 
 
 @pytest.mark.parametrize("edge", [0.6, 0.2, 0.05])

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture and the page as people see them: drawn without a display, and opened in a browser."""
 
+import base64
 import html
 import json
 import re
@@ -13,7 +14,7 @@ import numpy as np
 import pytest
 from array_meshes import wave
 from conftest import SAMPLE_MESHES, assert_one_line, faces_in, run_command
-from test_compare import write_off
+from test_compare import UP, write_off
 
 import laplacian_simplify as ls
 from laplacian_simplify import command_line
@@ -78,11 +79,12 @@ def test_the_picture_has_both_meshes_in_grey_and_the_distance_in_colors(drawn: P
 def test_the_page_is_whole_and_asks_for_nothing(drawn: Pages) -> None:
     text = drawn.page.read_text(encoding="utf-8")
     assert text.rstrip().endswith("</html>")
-    assert 'default-src \'none\'' in text
+    assert "default-src 'none'" in text
     outside = [word for word in re.findall(r"""(?:src|href)=["']?([^"'> ]+)""", text) if not word.startswith("data:")]
     assert outside == []
     assert len(text) < 15e6
-    for name, value in [("faces", f"{drawn.report['faces']:,}"), ("effort", "balanced"), ("stop_reason_text", "target reached")]:
+    numbers = {"faces": f"{drawn.report['faces']:,}", "effort": "balanced", "stop_reason_text": "target reached"}
+    for name, value in numbers.items():
         assert f"<th>{name}</th><td>{value}</td>" in text
     assert f"Laplacian Simplify {ls.__version__}" in text
     assert f"rms {drawn.report['rms']:.3g} %" in text
@@ -118,19 +120,17 @@ def test_large_meshes_are_reduced_for_the_viewer(monkeypatch: pytest.MonkeyPatch
 
     monkeypatch.setattr(pages, "MOST_FACES", 500)
     vertices, faces = wave()
-    before, after = checked_surface("large", vertices, faces), checked_surface("up", vertices + [0, 0, 0.25], faces)
+    before, after = checked_surface("large", vertices, faces), checked_surface("up", vertices + UP, faces)
     facts = Facts(("A", "B"), [], [], [], "0")
     look = Look(view_of(before, after), 1.0, before.diagonal)
     text = pages.page_text(Scene(before, after), measure(before, after, 100), facts, look, PNG)
     assert "large has 1,682 faces; the viewer shows it with 500." in text
     data = json.loads(text.partition('id="data">')[2].partition("</script>")[0])
-    import base64
-
     mesh = data["meshes"][0]
     assert 0 < len(base64.b64decode(mesh["faces"])) <= 500 * 12
     errors = np.frombuffer(base64.b64decode(mesh["errors"]), np.float32)
     assert len(errors) == len(base64.b64decode(mesh["positions"])) / 12
-    exact = ls.compare((vertices, faces), (vertices + [0, 0, 0.25], faces)).in_units["forward_hausdorff"]
+    exact = ls.compare((vertices, faces), (vertices + UP, faces)).in_units["forward_hausdorff"]
     assert errors.max() <= exact * (1 + 1e-6)
     assert errors.max() > exact / 2
 
@@ -259,7 +259,7 @@ def test_a_crash_while_drawing_is_a_message(
     [
         (["--picture", "out.jpg"], "--picture out.jpg: a picture is PNG, so its name has to end with .png"),
         (["--report", "small.html"], "--report small.html is the file of OUTPUT, which it would replace"),
-        (["--picture", "out.png", "--json", "out.png"], "--picture out.png is the file of --json, which it would replace"),
+        (["--picture", "out.png", "--json", "out.png"], "--picture out.png is the file of --json, which"),
     ],
 )
 def test_names_that_do_not_fit_are_refused(tmp_path: Path, arguments: list[str], text: str) -> None:

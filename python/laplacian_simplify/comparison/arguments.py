@@ -30,7 +30,11 @@ def add_compare_parser(subparsers: Any, **common: Any) -> argparse.ArgumentParse
         "-q", "--quiet", action="store_true", help="show neither report nor progress, only what is wrong"
     )
     parser.add_argument(
-        "--samples", type=int, default=SAMPLES, metavar="N", help=f"points a side beside the vertices. Default: {SAMPLES}."
+        "--samples",
+        type=int,
+        default=SAMPLES,
+        metavar="N",
+        help=f"points a side beside the vertices. Default: {SAMPLES}.",
     )
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="0: all processors. Default: 0.")
     return parser

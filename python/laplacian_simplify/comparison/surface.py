@@ -53,9 +53,7 @@ def checked_surface(name: str, positions: Array, faces: Array) -> Surface:
     if lowest < 0 or highest >= len(positions):
         at = lowest if lowest < 0 else highest
         raise ValueError(f"{name} has a face with the vertex {at}, which is outside 0..{len(positions) - 1}")
-    surface = Surface(
-        name, np.ascontiguousarray(positions, np.float64), np.ascontiguousarray(faces, np.uint32)
-    )
+    surface = Surface(name, np.ascontiguousarray(positions, np.float64), np.ascontiguousarray(faces, np.uint32))
     bad = int(np.count_nonzero(~np.isfinite(surface.positions[surface.corners]).all(axis=1)))
     if bad:
         raise ValueError(f"{name} has coordinates that are not finite at {bad:,} of {len(positions):,} vertices")

@@ -57,7 +57,13 @@ def draw_picture(scene: Scene, error: ErrorMap, facts: Facts, look: Look) -> byt
 
 
 def _render(
-    look: Look, size: tuple[int, int], positions: Array, faces: Array, *, errors: Array | None = None, edges: bool = False
+    look: Look,
+    size: tuple[int, int],
+    positions: Array,
+    faces: Array,
+    *,
+    errors: Array | None = None,
+    edges: bool = False,
 ) -> Array:
     import pyvista
 
@@ -102,10 +108,11 @@ def _composed(images: list[Array], scene: Scene, facts: Facts, look: Look, heigh
     figure = Figure(figsize=whole, dpi=_DPI, facecolor="white")
     canvas = FigureCanvasAgg(figure)
     before, after = (_shortened(surface.name) for surface in (scene.before, scene.after))
+    first, second = (_in_text(label) for label in facts.labels)
     titles = (
         (f"{facts.labels[0]}: {before}", f"{len(scene.before.faces):,} faces"),
         (f"{facts.labels[1]}: {after}", f"{len(scene.after.faces):,} faces"),
-        (f"Distance from {_in_text(facts.labels[0])} to {_in_text(facts.labels[1])}", "of every point to the closest one"),
+        (f"Distance from {first} to {second}", "of every point to the closest one"),
     )
     for k, (image, (title, subtitle)) in enumerate(zip(images, titles, strict=True)):
         box = (k * _PANEL / whole[0], _FOOT / whole[1], _PANEL / whole[0], height / whole[1])

@@ -27,7 +27,7 @@ class Scene:
 
     def save(self, path: Path) -> None:
         """Writes both to a file."""
-        arrays = {}
+        arrays: dict[str, Any] = {}
         for name, surface in (("before", self.before), ("after", self.after)):
             arrays |= {f"{name}_positions": surface.positions, f"{name}_faces": surface.faces}
         np.savez(path, **arrays, names=np.array([self.before.name, self.after.name]))
