@@ -106,6 +106,16 @@ def test_a_plate_shows_its_face(thin: int) -> None:
     assert np.abs((placed - view.middle) @ view.up).max() == pytest.approx(view.height / 2)
 
 
+def test_what_is_seen_is_in_the_middle() -> None:
+    """Also where it is not the middle of the box."""
+    corner = Surface("corner", np.array([[0.0, 0, 0], [2, 0, 0], [2, 0, 1]]), np.array([[0, 1, 2]], np.uint32))
+    view = view_of(corner, corner)
+    across = np.cross(view.up, view.direction)
+    for axis, size in ((view.up, view.height), (across, view.width)):
+        seen = (view.placed(corner.positions) - view.middle) @ axis
+        assert (seen.min(), seen.max()) == pytest.approx((-size / 2, size / 2))
+
+
 def test_a_missing_library_is_an_answer_before_any_work(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Before the files are looked for, which are not there."""
     monkeypatch.setattr(outputs, "find_spec", lambda name: None if name == "pyvista" else find_spec(name))
