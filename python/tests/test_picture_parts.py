@@ -106,9 +106,10 @@ def test_a_plate_shows_its_face(thin: int) -> None:
     assert np.abs((placed - view.middle) @ view.up).max() == pytest.approx(view.height / 2)
 
 
-def test_what_is_seen_is_in_the_middle() -> None:
+@pytest.mark.parametrize("last", [[2.0, 0, 1], [0.0, 1, 1]])  # up and down, and to the sides
+def test_what_is_seen_is_in_the_middle(last: list[float]) -> None:
     """Also where it is not the middle of the box."""
-    corner = Surface("corner", np.array([[0.0, 0, 0], [2, 0, 0], [2, 0, 1]]), np.array([[0, 1, 2]], np.uint32))
+    corner = Surface("corner", np.array([[0.0, 0, 0], [2, 0, 0], last]), np.array([[0, 1, 2]], np.uint32))
     view = view_of(corner, corner)
     across = np.cross(view.up, view.direction)
     for axis, size in ((view.up, view.height), (across, view.width)):
