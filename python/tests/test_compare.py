@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pymeshlab
 import pytest
-from array_meshes import mesh_set_of, wave
+from array_meshes import UP, mesh_set_of, wave, write_off
 from conftest import assert_one_line, run_command
 
 import laplacian_simplify as ls
@@ -19,13 +19,6 @@ import laplacian_simplify as ls
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 TWO = np.array([[0, 1, 2], [0, 2, 3]])
 DIAGONAL = np.sqrt(2)
-UP = np.array([0, 0, 0.25])
-
-
-def write_off(path: Path, vertices: np.ndarray, faces: np.ndarray) -> Path:
-    rows = [f"{x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()] + [f"3 {a} {b} {c}" for a, b, c in faces.tolist()]
-    path.write_text("\n".join(["OFF", f"{len(vertices)} {len(faces)} 0", *rows, ""]), encoding="utf-8")
-    return path
 
 
 @pytest.fixture
@@ -135,6 +128,7 @@ def test_files_need_no_pymeshlab(squares: tuple[Path, Path]) -> None:
         ((SQUARE, TWO + 2), ValueError, "A has a face with the vertex 5, which is outside 0..3"),
         ((SQUARE, TWO - 1), ValueError, "A has a face with the vertex -1, which is outside 0..3"),
         ((SQUARE * np.nan, TWO), ValueError, "A has coordinates that are not finite at 4 of 4 vertices"),
+        ((SQUARE * 0 + 1, TWO), ValueError, "A has all its faces in one point"),
         ((SQUARE[:, :2], TWO), ValueError, "the vertices of A have the shape (4, 2), not (n, 3)"),
         ((SQUARE.tolist(), TWO), TypeError, "the vertices of A must be a NumPy array of numbers, not list"),
         ((SQUARE, TWO * 1.0), TypeError, "the faces of A must be a NumPy array of integers, not ndarray"),

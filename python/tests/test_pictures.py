@@ -5,16 +5,18 @@
 import base64
 import html
 import json
+import os
 import re
+import socket
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from array_meshes import wave
+from array_meshes import UP, wave, write_off
 from conftest import SAMPLE_MESHES, assert_one_line, faces_in, run_command
-from test_compare import UP, write_off
 
 import laplacian_simplify as ls
 from laplacian_simplify import command_line
@@ -27,8 +29,29 @@ ODD_NAME = "</script><img src=x onerror=alert(1)> & $title $x_1$ 'ä.off"
 BROWSER = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # as root, and without a GPU
 
 
+class Display:
+    """A display that nobody should ask for anything: it counts who does, and hangs up."""
+
+    def __init__(self) -> None:
+        number = 1000 + os.getpid()  # as other tests may run at the same time
+        self.name = f":{number}"
+        self.asked = 0
+        self._listener = socket.socket(socket.AF_UNIX)
+        self._listener.bind(f"\0/tmp/.X11-unix/X{number}")  # where clients of X look first
+        self._listener.listen()
+        threading.Thread(target=self._count, daemon=True).start()
+
+    def _count(self) -> None:
+        while True:
+            client, _ = self._listener.accept()
+            self.asked += 1
+            client.close()
+
+
 class Pages:
-    """What simplify draws of a relief, and compare of files with odd names; a bad display is set."""
+    """What simplify draws of a relief, and compare of files with odd names."""
+
+    displays_asked = 0
 
     def __init__(self, folder: Path) -> None:
         vertices, faces = wave()
@@ -46,9 +69,12 @@ class Pages:
 
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory: pytest.TempPathFactory) -> Pages:
+    display = Display()
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("DISPLAY", ":77")  # which is none
-        return Pages(tmp_path_factory.mktemp("drawn"))
+        patch.setenv("DISPLAY", display.name)
+        pages = Pages(tmp_path_factory.mktemp("drawn"))
+    pages.displays_asked = display.asked
+    return pages
 
 
 def pixels(path: Path) -> np.ndarray:
@@ -74,6 +100,11 @@ def test_the_picture_has_both_meshes_in_grey_and_the_distance_in_colors(drawn: P
     assert (saturation(panels[2]) > 0.4).mean() > 0.05
     bar = body[:, round((3 * 4.3 + 0.78) * 150) :]
     assert saturation(bar).max() > 0.5
+
+
+def test_a_display_that_is_there_is_not_asked(drawn: Pages) -> None:
+    assert drawn.picture.is_file()
+    assert drawn.displays_asked == 0
 
 
 def test_the_page_is_whole_and_asks_for_nothing(drawn: Pages) -> None:

@@ -9,9 +9,10 @@ from ..pictures.arguments import add_picture_arguments
 
 SUMMARY = "Measures how far two meshes are apart, whatever made them"
 _DESCRIPTION = (
-    SUMMARY + ": the distances from each surface to the other, in percent of the diagonal of the bounding box of A "
-    "and in the meshes' units. They are taken at points spread evenly by area and at all vertices, "
-    "where they are exact; --samples says how many points."
+    SUMMARY + ": the distances from each surface to the\n"
+    "other, in percent of the diagonal of the bounding box of A and in the meshes' units.\n"
+    "They are taken at points spread evenly by area and at all vertices, where they are\n"
+    "exact; --samples says at how many points."
 )
 SAMPLES = 100_000
 """Points a side beside the vertices: those that simplify takes, so that both reports have the same numbers."""

@@ -95,8 +95,14 @@ def _one_way(name: str, way: str, rms: float, mean: float, largest: float) -> st
 
 
 def report_of(a: Surface, b: Surface, found: Distances, samples: int, seconds: float) -> CompareReport:
-    """The report of what was measured."""
-    percent = 100 / a.diagonal if a.diagonal > 0 else 0.0
+    """The report of what was measured.
+
+    Raises:
+        ValueError: there is nothing that percent could be of.
+    """
+    if not a.diagonal > 0:
+        raise ValueError(f"{a.name} has all its faces in one point, so distances in percent of its size mean nothing")
+    percent = 100 / a.diagonal
     features = found.feature_rms
     return CompareReport(
         seconds=seconds,

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the command's process for a comparison does."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from time import perf_counter
@@ -36,7 +38,9 @@ def compare(stage: Stage, *, shown_source: str, a: str, b: str, samples: int, th
     surfaces = _read(a), _read(b)
     stage("working")
     start = perf_counter()
-    report = report_of(*surfaces, measure(*surfaces, samples, threads), samples, perf_counter() - start)
+    found = measure(*surfaces, samples, threads)
+    with _named():
+        report = report_of(*surfaces, found, samples, perf_counter() - start)
     if scene:
         Scene(*surfaces).save(Path(scene))
     facts = Facts.of_comparison(report, {"samples": samples})
@@ -44,7 +48,14 @@ def compare(stage: Stage, *, shown_source: str, a: str, b: str, samples: int, th
 
 
 def _read(path: str) -> Surface:
-    try:
+    with _named():
         return surface_of(path, "")
+
+
+@contextmanager
+def _named() -> Iterator[None]:
+    """A mesh that is of no use is that of a file here."""
+    try:
+        yield
     except ValueError as error:
         raise MeshFileError(f"{error}; it cannot be compared") from None
