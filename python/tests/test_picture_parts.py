@@ -17,6 +17,7 @@ from laplacian_simplify.comparison.surface import Surface
 from laplacian_simplify.pictures import outputs
 from laplacian_simplify.pictures.error_map import color_limit, divide, error_map
 from laplacian_simplify.pictures.histogram import shares
+from laplacian_simplify.pictures.scene import titled
 from laplacian_simplify.pictures.view import view_of
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
@@ -115,6 +116,11 @@ def test_what_is_seen_is_in_the_middle(last: list[float]) -> None:
     for axis, size in ((view.up, view.height), (across, view.width)):
         seen = (view.placed(corner.positions) - view.middle) @ axis
         assert (seen.min(), seen.max()) == pytest.approx((-size / 2, size / 2))
+
+
+def test_what_has_no_name_is_called_by_its_letter() -> None:
+    assert titled("A", "A") == "A"
+    assert titled("A", "part.stl") == "A: part.stl"
 
 
 def test_a_missing_library_is_an_answer_before_any_work(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -23,7 +23,7 @@ from ..huge.surface_library import distances
 from .error_map import COLORS, ErrorMap, error_map
 from .histogram import histogram, shares
 from .picture import Look
-from .scene import Facts, Rows, Scene
+from .scene import Facts, Rows, Scene, titled
 
 MOST_FACES = 100_000
 """Of either mesh in the viewer, divided faces included."""
@@ -45,8 +45,8 @@ def page_text(scene: Scene, found: Distances, facts: Facts, look: Look, picture:
     beyond = [shares(way, look.limit)[1] for way in (found.forward, found.backward)]
     texts = {
         "title": f"{before.name} | {after.name}" if first == "A" else f"{before.name} -> {after.name}",
-        "before": f"{first}: {before.name}",
-        "after": f"{second}: {after.name}",
+        "before": titled(first, before.name),
+        "after": titled(second, after.name),
         "first": first,
         "second": second,
         "beyond": f"Beyond the scale: {beyond[0]:.2g} % of {first}, {beyond[1]:.2g} % of {second}.",

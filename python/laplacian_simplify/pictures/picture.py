@@ -10,7 +10,7 @@ import numpy as np
 
 from ..huge.array_file import Array
 from .error_map import COLORS, ErrorMap
-from .scene import Facts, Scene
+from .scene import Facts, Scene, titled
 from .view import View
 
 _GREY, _EDGE = "#cdd6dd", "#3b444c"
@@ -110,8 +110,8 @@ def _composed(images: list[Array], scene: Scene, facts: Facts, look: Look, heigh
     before, after = (_shortened(surface.name) for surface in (scene.before, scene.after))
     first, second = (_in_text(label) for label in facts.labels)
     titles = (
-        (f"{facts.labels[0]}: {before}", f"{len(scene.before.faces):,} faces"),
-        (f"{facts.labels[1]}: {after}", f"{len(scene.after.faces):,} faces"),
+        (titled(facts.labels[0], before), f"{len(scene.before.faces):,} faces"),
+        (titled(facts.labels[1], after), f"{len(scene.after.faces):,} faces"),
         (f"Distance from {first} to {second}", "of every point to the closest one"),
     )
     for k, (image, (title, subtitle)) in enumerate(zip(images, titles, strict=True)):

@@ -69,6 +69,11 @@ class Facts:
         return _facts(("Before", "After"), lines, report, parameters)
 
 
+def titled(label: str, name: str) -> str:
+    """What a surface is called; one of arrays has no other name than its label."""
+    return label if name == label else f"{label}: {name}"
+
+
 def _facts(
     labels: tuple[str, str], lines: list[str], report: Mapping[str, Any], parameters: Mapping[str, Any]
 ) -> Facts:
