@@ -4,7 +4,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -77,6 +76,8 @@ def titled(label: str, name: str) -> str:
 def _facts(
     labels: tuple[str, str], lines: list[str], report: Mapping[str, Any], parameters: Mapping[str, Any]
 ) -> Facts:
+    from importlib.metadata import version  # which takes its time
+
     summary = [(line[:_LABEL].strip(), line[_LABEL:]) for line in lines]
     numbers: Rows = []
     for name, value in report.items():
