@@ -8,18 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 from . import filters as functions
 from .child import Stage
-from .comparison.surface import Surface, checked_surface
 from .error_bound import in_percent
 from .files.errors import MeshFileError
 from .files.output_formats import output_format
 from .files.reading import read
 from .files.writing import keeps_polygons, save
-from .pictures.scene import Scene
 from .plugin import load
 
 if TYPE_CHECKING:
     import pymeshlab
 
+    from .comparison.surface import Surface
     from .files.reading import Reading
 
 _DECIMATIONS = ("simplify", "weighted", "levels_of_detail")  # which leave hardly a polygon
@@ -55,6 +54,8 @@ def run(
     report = _work(stage, function, mesh_set, values, shown_source)
     stage("writing")
     if before and scene:
+        from .pictures.scene import Scene  # only here, for it takes its time
+
         Scene(before, _surface(mesh_set, shown_target)).save(Path(scene))
     notes = _write(mesh_set, reading, function, staged, shown_target)
     return {"report": report.to_dict(), "notes": [f"{shown_source}: {note}" for note in reading.notes] + notes}
@@ -107,7 +108,9 @@ def _work(stage: Stage, function: str, mesh_set: "pymeshlab.MeshSet", values: di
     return report
 
 
-def _surface(mesh_set: "pymeshlab.MeshSet", shown: str) -> Surface:
+def _surface(mesh_set: "pymeshlab.MeshSet", shown: str) -> "Surface":
+    from .comparison.surface import checked_surface
+
     mesh = mesh_set.current_mesh()
     try:
         return checked_surface(Path(shown).name, mesh.vertex_matrix(), mesh.face_matrix())
