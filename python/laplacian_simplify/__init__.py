@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from .arrays import Simplified
     from .batch.api import simplify_many
     from .batch.runs import BatchReport
+    from .comparison.api import compare
+    from .comparison.report import CompareReport
     from .files.errors import MeshFileError
     from .files.reading import MeshFileWarning, read_mesh
     from .files.writing import write_mesh
@@ -45,6 +47,8 @@ _MODULES = {
     "arrays": ("Simplified",),
     "batch.api": ("simplify_many",),
     "batch.runs": ("BatchReport",),
+    "comparison.api": ("compare",),
+    "comparison.report": ("CompareReport",),
     "files.errors": ("MeshFileError",),
     "files.reading": ("MeshFileWarning", "read_mesh"),
     "files.writing": ("write_mesh",),
@@ -70,6 +74,7 @@ __all__ = [
     "STOP_REASONS",
     "BatchReport",
     "ClassificationReport",
+    "CompareReport",
     "DecimationReport",
     "DescriptorReport",
     "HugeReport",
@@ -82,6 +87,7 @@ __all__ = [
     "StopReason",
     "__version__",
     "classify",
+    "compare",
     "descriptor",
     "levels_of_detail",
     "load",

@@ -12,22 +12,26 @@ from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .answers import fraction_note, why_missed
 from .error_bound import error_bounds
-from .file_arguments import Files, files_of, files_of_levels
+from .file_arguments import STANDARD_OUTPUT, Files, files_of, files_of_levels
 from .files.errors import printable
 from .files.output_formats import output_format
 from .files.source import scratch_named
 from .files.staging import check_target, staged_output
 from .following import in_a_process
 from .options import SHORT_NAMES, WITHOUT_OPTION, Command, as_option, make_parser
+from .pictures.outputs import DRAW, Outputs, drawing
 from .report_file import report_of, report_text
 from .running import checked
 from .signals import signals_held
 from .streams import say, show, write_out
-from .summary import missed, summary
+from .summary import missed, summary, summary_lines
+
+if TYPE_CHECKING:
+    from .pictures.scene import Facts
 
 STOPPED = 130
 """Exit code of a run that a signal ended, as shells have it."""
@@ -54,6 +58,10 @@ def main(arguments: list[str] | None = None) -> int:
 def _main(options: argparse.Namespace) -> int:
     command: Command = options.command
     try:
+        if options.compare:
+            from .comparison.command import run_compare
+
+            return run_compare(options)
         values = _values(command, options)
         if note := fraction_note(values.get("target_percent", 0), as_option):
             say(f"laplacian-simplify: warning: {note}")
@@ -68,7 +76,8 @@ def _main(options: argparse.Namespace) -> int:
         if command.has_levels:
             return _levels(command, options, values)
         files = files_of(options)
-        answer = _run(command, files, values, options)
+        outputs = _outputs(options, files)
+        answer = _run(command, files, outputs, values, options)
         _show(command, files, answer, quiet=options.quiet)
     except ValueError as error:
         return _fail(2, _with_option_name(str(error)))
@@ -103,7 +112,16 @@ def _values(command: Command, options: argparse.Namespace) -> dict[str, Any]:
     return values | bound
 
 
-def _run(command: Command, files: Files, values: Mapping[str, Any], options: argparse.Namespace) -> dict[str, Any]:
+def _outputs(options: argparse.Namespace, files: Files) -> Outputs:
+    """The picture and the page, which can be written; commands without the options have neither."""
+    outputs = Outputs(getattr(options, "picture", None), getattr(options, "report", None))
+    outputs.check({"OUTPUT": files.output, "INPUT": files.input, "--json": files.json or STANDARD_OUTPUT})
+    return outputs
+
+
+def _run(
+    command: Command, files: Files, outputs: Outputs, values: Mapping[str, Any], options: argparse.Namespace
+) -> dict[str, Any]:
     """Reads, filters and writes in a process of its own; the files appear when all of it went well. The answer has the
     report also as the text of a file."""
     if not files.to_standard_output:
@@ -111,6 +129,7 @@ def _run(command: Command, files: Files, values: Mapping[str, Any], options: arg
     output_format(files.output_name)
     with ExitStack() as stack:
         staged_report = stack.enter_context(staged_output(files.json)) if files.json else None
+        drawn = stack.enter_context(outputs.staged())
         staged = stack.enter_context(_staged(files))
         arguments = {
             "function": command.function.__name__,
@@ -122,14 +141,26 @@ def _run(command: Command, files: Files, values: Mapping[str, Any], options: arg
         }
         with scratch_named(files.shown_input):
             scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
-        answer = in_a_process(arguments, scratch, quiet=options.quiet)
+        scene = Path(scratch) / "scene.npz"
+        for_drawing = {"scene": str(scene)} if outputs else {}
+        answer = in_a_process({**arguments, **for_drawing}, scratch, quiet=options.quiet)
         report = answer["report"]
         if getattr(options, "strict", False) and missed(report):
             raise MissedTargetError(f"{files.shown_input}: target not reached: {why_missed(report, as_option)}")
         answer["text"] = report_text(command.filter, report, values, files.shown_input, files.shown_output)
+        if outputs:
+            facts = _facts(report, json.loads(answer["text"])["parameters"])
+            in_a_process(drawing(scene, facts, drawn), scratch, DRAW, quiet=options.quiet, drawn=outputs.shown)
         if staged_report:
             staged_report.write_text(answer["text"], encoding="utf-8")
     return answer
+
+
+def _facts(report: Mapping[str, Any], parameters: Mapping[str, Any]) -> "Facts":
+    """What is written beside the picture."""
+    from .pictures.scene import Facts
+
+    return Facts.of_run(summary_lines(report, as_option), report, parameters)
 
 
 def _levels(command: Command, options: argparse.Namespace, values: Mapping[str, Any]) -> int:
@@ -153,7 +184,7 @@ def _levels(command: Command, options: argparse.Namespace, values: Mapping[str, 
         }
         with scratch_named(first.shown_input):
             scratch = stack.enter_context(TemporaryDirectory(prefix="laplacian-simplify-", ignore_cleanup_errors=True))
-        answer = in_a_process(arguments, scratch, "run_levels", quiet=options.quiet)
+        answer = in_a_process(arguments, scratch, "work:run_levels", quiet=options.quiet)
         reports = [
             report_of(command.filter, report, values, level.shown_input, level.shown_output)
             for level, report in zip(files, answer["report"], strict=True)

@@ -4,7 +4,7 @@
 
 import argparse
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -68,9 +68,23 @@ def check_report_name(report: str, output: str, source: str) -> None:
     Raises:
         ValueError: it would.
     """
-    for name, other in (("OUTPUT", output), ("INPUT", source)):
-        if other != STANDARD_OUTPUT and _same(report, other):
-            raise ValueError(f"--json {printable(report)} is the file of {name}, which it would replace")
+    check_apart("--json", report, {"OUTPUT": output, "INPUT": source})
+
+
+def check_apart(option: str, path: str, others: Mapping[str, str]) -> None:
+    """Refuses a file that would take the place of another file of the run.
+
+    Args:
+        option: that names the file.
+        path: the file.
+        others: the other files, by the names of their arguments.
+
+    Raises:
+        ValueError: it would.
+    """
+    for name, other in others.items():
+        if other != STANDARD_OUTPUT and _same(path, other):
+            raise ValueError(f"{option} {printable(path)} is the file of {name}, which it would replace")
 
 
 def files_of_levels(options: argparse.Namespace, words: Sequence[str], field: str) -> list[Files]:

@@ -19,23 +19,30 @@ _PROGRESS = re.compile(rb"LOG: \d+ (.*?)\s*\[ (\d+)% \]")
 
 
 def in_a_process(
-    arguments: dict[str, Any], scratch: str, function: str = "run", *, quiet: bool = False
+    arguments: dict[str, Any], scratch: str, function: str = "work:run", *, quiet: bool = False, drawn: str = ""
 ) -> dict[str, Any]:
-    """Runs a function of ``work`` in a process of its own, with a folder for scratch files; a terminal shows progress
-    but where it is to be quiet.
+    """Runs a function in a process of its own, with a folder for scratch files; a terminal shows progress but where it
+    is to be quiet.
+
+    Args:
+        arguments: of the function; shown_source and shown_target tell how messages name its files.
+        scratch: the folder.
+        function: module and name.
+        quiet: no progress.
+        drawn: how messages name the picture that the function draws.
 
     Raises:
         MeshFileError: the process crashed; the sentence says over which file.
         OSError, ValueError, RuntimeError, ImportError: whatever it raised, with its text.
         KeyboardInterrupt: a signal came; the process is gone.
     """
-    child = Child(f"work:{function}", arguments, log=True, standard_input=True, scratch=scratch)
+    child = Child(function, arguments, log=True, standard_input=True, scratch=scratch)
     try:
         with _bar(quiet) as progress, signals_let_in():
             _follow(child, progress)
         answer: dict[str, Any] = child.answer()
     except ChildCrashError as crash:
-        raise _crashed(crash, arguments) from None
+        raise _crashed(crash, arguments, drawn) from None
     finally:
         child.end()
     return answer
@@ -81,7 +88,9 @@ def _bar(quiet: bool) -> Iterator[Progress]:
         yield show
 
 
-def _crashed(crash: ChildCrashError, arguments: dict[str, Any]) -> MeshFileError:
+def _crashed(crash: ChildCrashError, arguments: dict[str, Any], drawn: str) -> MeshFileError:
+    if drawn:
+        return MeshFileError(f"{drawn} cannot be drawn: VTK ended ({crash.cause}); nothing was written")
     name, what = {
         "reading": (arguments["shown_source"], "cannot be read: the reader"),
         "working": (arguments["shown_source"], "cannot be worked on: the filter"),

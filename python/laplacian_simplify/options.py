@@ -10,8 +10,10 @@ from typing import Any, NoReturn
 
 from . import filters as functions
 from .batch.arguments import add_batch_parser
+from .comparison.arguments import add_compare_parser
 from .error_bound import MAX_ERROR_HELP, MAX_ERRORS_HELP, error_bound
 from .huge.arguments import PARAMETERS, add_huge_parser
+from .pictures.arguments import add_picture_arguments
 from .report import Report
 from .streams import show
 from .tables import Filter, Parameter, filter_named, filters
@@ -26,6 +28,8 @@ class Command:
     function: Callable[..., Report | Sequence[Report]]
     stores_quality: bool = False
     other_defaults: tuple[tuple[str, Any], ...] = ()
+    draws: bool = False
+    """Whether it can draw what it did."""
 
     @property
     def has_levels(self) -> bool:
@@ -38,7 +42,7 @@ class Command:
 
 
 _COMMANDS = (
-    Command("simplify", "meshing_decimation_laplacian_quadric_edge_collapse", functions.simplify),
+    Command("simplify", "meshing_decimation_laplacian_quadric_edge_collapse", functions.simplify, draws=True),
     Command("descriptor", "compute_scalar_by_laplacian_descriptor_per_vertex", functions.descriptor, True),
     Command(
         "classify",
@@ -56,6 +60,7 @@ _EXAMPLES = {
         "%(prog)s bunny.ply small.ply --percent 10",
         "%(prog)s scan.obj scan_small.obj --faces 20000 --effort best",
         "%(prog)s part.stl part_small.ply --max-error 0.1%% --json report.json",
+        "%(prog)s bunny.ply small.ply --percent 10 --picture small.png --report small.html",
         "%(prog)s bunny.ply --in-place --percent 10 --strict --quiet",
     ),
     "descriptor": ("%(prog)s bunny.ply descriptor.ply --rescale",),
@@ -64,6 +69,10 @@ _EXAMPLES = {
     "lod": (
         "%(prog)s part.ply 'part_{percent}.ply' --percents 50,25,10",
         "%(prog)s part.ply 'part_{level}.ply' --max-errors 0.01%%,0.05%%",
+    ),
+    "compare": (
+        "%(prog)s part.stl part_by_another_tool.ply",
+        "%(prog)s bunny.ply small.ply --report difference.html --json difference.json",
     ),
     "batch": ("%(prog)s scans small --percent 10", "%(prog)s 'scans/**/*.ply' small --faces 5000 --workers 4"),
 }
@@ -146,14 +155,16 @@ def make_parser() -> argparse.ArgumentParser:
         if command.name == "simplify":
             subparser.prog = os.environ.get(PROGRAM_NAME, subparser.prog)
         _add_options(subparser, command, row)
-        subparser.set_defaults(command=command, batch=False, huge=False)
+        subparser.set_defaults(command=command, batch=False, huge=False, compare=False)
         if command.name == "simplify":
             batch = add_batch_parser(subparsers, **examples("batch"))
             add_parameters(batch, command, row)
-            batch.set_defaults(command=command, huge=False)
+            batch.set_defaults(command=command, huge=False, compare=False)
             huge = add_huge_parser(subparsers)
             add_parameters(huge, command, row, PARAMETERS)
-            huge.set_defaults(command=command, batch=False)
+            huge.set_defaults(command=command, batch=False, compare=False)
+    compare = add_compare_parser(subparsers, **examples("compare"))
+    compare.set_defaults(command=None, batch=False, huge=False, compare=True)
     return parser
 
 
@@ -169,6 +180,8 @@ def _add_options(parser: argparse.ArgumentParser, command: Command, row: Filter)
             "--output-format", choices=("ply", "stl"), help="format of a mesh on standard output. Default: ply."
         )
     parser.add_argument("--json", metavar="REPORT", help="write the report as JSON to this file, - for standard output")
+    if command.draws:
+        add_picture_arguments(parser, "the mesh before and after")
     parser.add_argument(
         "-q", "--quiet", action="store_true", help="show neither report nor progress, only what is wrong"
     )

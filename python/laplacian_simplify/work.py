@@ -18,6 +18,7 @@ from .plugin import load
 if TYPE_CHECKING:
     import pymeshlab
 
+    from .comparison.surface import Surface
     from .files.reading import Reading
 
 _DECIMATIONS = ("simplify", "weighted", "levels_of_detail")  # which leave hardly a polygon
@@ -32,6 +33,7 @@ def run(
     shown_source: str,
     shown_target: str,
     values: dict[str, Any],
+    scene: str | None = None,
 ) -> dict[str, Any]:
     """Does the work.
 
@@ -42,13 +44,19 @@ def run(
         shown_source: how messages name the source.
         shown_target: how messages name what the staged file is for.
         values: parameters of the function.
+        scene: a file to write both meshes to for drawing them, if they are to be drawn.
 
     Returns:
         The numbers of the report, and notes on what was left out.
     """
     mesh_set, reading = _read(stage, source)
+    before = _surface(mesh_set, shown_source) if scene else None
     report = _work(stage, function, mesh_set, values, shown_source)
     stage("writing")
+    if before and scene:
+        from .pictures.scene import Scene  # only here, for it takes its time
+
+        Scene(before, _surface(mesh_set, shown_target)).save(Path(scene))
     notes = _write(mesh_set, reading, function, staged, shown_target)
     return {"report": report.to_dict(), "notes": [f"{shown_source}: {note}" for note in reading.notes] + notes}
 
@@ -98,6 +106,16 @@ def _work(stage: Stage, function: str, mesh_set: "pymeshlab.MeshSet", values: di
         raise MeshFileError(f"{shown_source} cannot be used: {error}") from None
     mesh_set.set_verbosity(False)
     return report
+
+
+def _surface(mesh_set: "pymeshlab.MeshSet", shown: str) -> "Surface":
+    from .comparison.surface import checked_surface
+
+    mesh = mesh_set.current_mesh()
+    try:
+        return checked_surface(Path(shown).name, mesh.vertex_matrix(), mesh.face_matrix())
+    except ValueError as error:
+        raise MeshFileError(f"{shown} cannot be drawn: {error}") from None
 
 
 def _write(

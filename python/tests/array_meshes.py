@@ -3,12 +3,15 @@
 """Meshes as arrays, and as a mesh set for the filter."""
 
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from conftest import SAMPLE_MESHES
 
 import laplacian_simplify as ls
+
+UP = np.array([0, 0, 0.25])
 
 
 @cache
@@ -38,3 +41,10 @@ def mesh_set_of(vertices: np.ndarray, faces: np.ndarray, **data: Any):
     mesh_set = pymeshlab.MeshSet()
     mesh_set.add_mesh(pymeshlab.Mesh(vertices.astype(np.float64), faces.astype(np.int32), **data))
     return mesh_set
+
+
+def write_off(path: Path, vertices: np.ndarray, faces: np.ndarray) -> Path:
+    """The mesh as a file, to the last bit."""
+    rows = [f"{x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()] + [f"3 {a} {b} {c}" for a, b, c in faces.tolist()]
+    path.write_text("\n".join(["OFF", f"{len(vertices)} {len(faces)} 0", *rows, ""]), encoding="utf-8")
+    return path

@@ -6,10 +6,13 @@
 # shellcheck disable=SC2034 # not every script builds
 build_packages=(g++ cmake ninja-build qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
     python3 python3-venv libgl1 libopengl0 ca-certificates dpkg-dev xz-utils)
+# shellcheck disable=SC2034 # not every script draws
+# VTK draws with it where there is no display.
+picture_packages=(libegl1)
 # shellcheck disable=SC2034 # not every script tests
-# libomp: OpenMP of Clang. locales: the sources of one with a decimal comma.
+# chromium: opens the page of --report. libomp: OpenMP of Clang. locales: the sources of one with a decimal comma.
 test_packages=(git ccache clang-14 clang-format-14 libomp-14-dev shellcheck locales xvfb xauth openbox
-    xdotool imagemagick)
+    xdotool imagemagick libegl1 chromium)
 
 # Prints those of the given packages that are not installed.
 missing_packages() {

@@ -4,12 +4,13 @@
 
 # The project's Python: a virtual environment in the cache folder with the pinned packages of others, and the
 # project's own package in build/python of this checkout, so that two checkouts do not get into each other's way.
-# What checks the project (pytest, mypy and so on), Dask for the command batch, and Sphinx are put into the environment
-# only where they are asked for.
+# What checks the project (pytest, mypy and so on), Dask for the command batch, what draws pictures, and Sphinx are put
+# into the environment only where they are asked for.
 
 python_environment=$cache/python
 python_requirements=$top/scripts/requirements.txt
 batch_requirements=$top/scripts/requirements-batch.txt
+pictures_requirements=$top/scripts/requirements-pictures.txt
 development_requirements=$top/scripts/requirements-development.txt
 docs_requirements=$top/scripts/requirements-docs.txt
 project_package=$top/build/python
@@ -29,9 +30,22 @@ ensure_python() {
 # ensure_batch: and those of the command batch.
 ensure_batch() { ensure_more batch "Python packages of the command batch" "$batch_requirements"; }
 
+# ensure_pictures: and those that --picture and --report draw with.
+ensure_pictures() { ensure_more pictures "Python packages that draw" "$pictures_requirements"; }
+
+# asks_for_pictures ARGUMENT...: whether an option of the command asks for a picture or a page.
+asks_for_pictures() {
+    local word
+    for word in "$@"; do
+        case $word in --picture | --picture=* | --report | --report=*) return 0 ;; esac
+    done
+    return 1
+}
+
 # ensure_development: and those that check the project.
 ensure_development() {
     ensure_batch
+    ensure_pictures
     ensure_more development "Python packages that check the project" "$development_requirements"
 }
 

@@ -62,6 +62,17 @@ def test_the_wheel_says_what_it_is(wheel: Path) -> None:
     assert [name for name in names if "Qt5" in name or "meshlab-common" in name] == []
 
 
+def test_wheel_and_sources_have_the_parts_of_the_page(wheel: Path) -> None:
+    """So that nobody needs Node.js, or a network."""
+    with zipfile.ZipFile(wheel) as opened:
+        names = opened.namelist()
+    with tarfile.open(package("*.tar.gz")) as opened:
+        sources = opened.getnames()
+    for part in ("page.html", "viewer.js", "three.min.js"):
+        assert f"laplacian_simplify/pictures/{part}" in names
+        assert [name for name in sources if name.endswith(f"python/laplacian_simplify/pictures/{part}")]
+
+
 def test_arrays_need_the_wheel_and_numpy_alone(
     wheel: Path, fresh_environment: Callable[..., Path], tmp_path: Path
 ) -> None:

@@ -36,8 +36,12 @@ _ATTRIBUTES = {
 }
 
 
-def library_of(mesh: object) -> Library:
+def library_of(mesh: object, done: str = "simplified") -> Library:
     """The row of the library that the mesh is of.
+
+    Args:
+        mesh: an object of any type.
+        done: what was to be done with it.
 
     Raises:
         TypeError: it is of none; the text lists what is accepted.
@@ -49,7 +53,7 @@ def library_of(mesh: object) -> Library:
     names = ", ".join(row.name for row in LIBRARIES)
     kind = f"{type(mesh).__module__}.{type(mesh).__qualname__}".removeprefix("builtins.")
     raise TypeError(
-        f"{kind} cannot be simplified; accepted are two NumPy arrays (vertices, faces), the path of a mesh file, "
+        f"{kind} cannot be {done}; accepted are two NumPy arrays (vertices, faces), the path of a mesh file, "
         f"pymeshlab.MeshSet, {names}"
     )
 

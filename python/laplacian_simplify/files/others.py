@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..child import Child, ChildCrashError, Stage
+from ..plugin import require_pymeshlab
 from ..turns import plain_path
 from .errors import DamageError
 from .mesh_data import MeshData
@@ -31,9 +32,11 @@ def read_by_meshlab(source: Source) -> MeshData:
 
     Raises:
         DamageError: what MeshLab says, or that it crashed or did not end.
+        ImportError: pymeshlab is not installed.
     """
     from .ply import read_ply
 
+    require_pymeshlab()
     size = source.path.stat().st_size // _MEGABYTE + 1
     path = source.path
     if not source.is_the_file_itself or path.suffix.lower() != "." + source.format:

@@ -53,6 +53,16 @@ def read_mesh(path: str | os.PathLike[str]) -> "pymeshlab.MeshSet":
     return reading.mesh_set
 
 
+def read_data(path: str | os.PathLike[str]) -> MeshData:
+    """The mesh of a file as arrays; pymeshlab is needed only for the formats that MeshLab alone reads.
+
+    Raises:
+        OSError, ImportError: as read_mesh.
+    """
+    with open_source(path) as source:
+        return _checked(source)
+
+
 def read(path: str | os.PathLike[str]) -> Reading:
     """As read_mesh, with notes in place of warnings."""
     require_pymeshlab()
