@@ -30,7 +30,7 @@ from laplacian_simplify.huge.runs import _without_leftovers
 from laplacian_simplify.huge.samples import spread
 from laplacian_simplify.huge.scatter import scatter
 from laplacian_simplify.huge.stages import Task
-from laplacian_simplify.huge.stl_source import check_collisions, hashed
+from laplacian_simplify.huge.welding import check_collisions, hashed, welded
 from laplacian_simplify.huge.work_folder import SchedulerGoneError, WorkFolder
 from laplacian_simplify.options import as_option
 from laplacian_simplify.report import StopReason
@@ -139,11 +139,11 @@ def test_the_last_run_asks_for_no_threads_that_gain_nothing(tmp_path: Path, monk
     write_ply(tmp_path / "two.ply", SQUARE, TWO)
     asked: list[float] = []
 
-    def run(_mesh: object, parameters: dict[str, float], _progress: object) -> None:
+    def run(_engine: Engine, _mesh: object, _colors: object, parameters: dict[str, float]) -> None:
         asked.append(parameters["threads"])
         raise InterruptedError
 
-    monkeypatch.setattr(finish, "run", run)
+    monkeypatch.setattr(Engine, "run", run)
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: range(64))
     item = ["input", str(tmp_path / "two.ply"), 0, 2]
     with pytest.raises(InterruptedError):
@@ -175,12 +175,12 @@ def test_whole_numbers_of_32_bits_keep_them(tmp_path: Path) -> None:
         rows = np.array([[0, 0, 0], [largest, 0, 0], [0, largest, 0]], kind)
         head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
         head += "".join(f"property {name} {axis}\n" for axis in "xyz")
-        head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-        face = b"\3" + np.array([0, 1, 2], "<i4").tobytes()
+        head += "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        face = 2 * (b"\3" + np.array([0, 1, 2], "<i4").tobytes())
         (tmp_path / "mesh.ply").write_bytes(head.encode() + rows.tobytes() + face)
         source = PlySource(str(tmp_path / "mesh.ply"))
         assert source.single == is_single
-        assert np.array_equal(source.chunk(0, 1).positions, rows)
+        assert np.array_equal(source.chunk(0, 2).positions, rows)
 
 
 def test_a_work_folder_that_is_removed_in_part_begins_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
