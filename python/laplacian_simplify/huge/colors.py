@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Colors of vertices: what they guide in a part of a mesh, and what becomes of them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -17,11 +17,13 @@ _MOST_WEIGHT = 100.0
 _PARTS = float(1 << 40)
 """Of the squared side of the grid's cube, in which areas are counted: whole numbers add up the same in any order."""
 _NAME = "color"
+_ROWS = 1 << 16
 
 
 def counted_area(positions: Array, triangles: Array, side: float) -> int:
     """The area of all faces, the same for any division of them into chunks."""
-    return int(np.rint(_areas(positions, triangles) * (_PARTS / side**2)).astype(np.int64).sum())
+    unit = _PARTS / side**2
+    return sum(int(np.rint(areas * unit).astype(np.int64).sum()) for areas in _areas(positions, triangles))
 
 
 def whole_area(counted: list[int], side: float) -> float:
@@ -47,7 +49,8 @@ def weight_in_part(weight: float, face: float, mesh: MeshArrays, target: int) ->
     """
     if not face > 0:
         return weight
-    own = expected_face(float(_areas(mesh.vertices, mesh.faces).sum()), target, len(mesh.faces))
+    area = sum(float(areas.sum()) for areas in _areas(mesh.vertices, mesh.faces))
+    own = expected_face(area, target, len(mesh.faces))
     return min(weight * float(np.sqrt(face / own)), _MOST_WEIGHT) if own > 0 else weight
 
 
@@ -89,7 +92,9 @@ def as_bytes(colors: Array) -> Array:
     return numbers
 
 
-def _areas(positions: Array, triangles: Array) -> Array:
-    a, b, c = (positions[triangles[:, k]].astype(np.float64) for k in range(3))
-    areas: Array = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
-    return areas
+def _areas(positions: Array, triangles: Array) -> Iterator[Array]:
+    """Of all faces, some at a time."""
+    for begin in range(0, len(triangles), _ROWS):
+        corners = triangles[begin : begin + _ROWS]
+        a, b, c = (positions[corners[:, k]].astype(np.float64) for k in range(3))
+        yield np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2

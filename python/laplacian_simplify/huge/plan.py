@@ -14,7 +14,7 @@ _PROCESS = 75 * _MIB
 """What a process takes before it has read anything."""
 _BLOCK_FACE, _REFINED_FACE, _LAST_FACE = 220, 400, 400
 """Bytes a face: of a block that is collapsed, of one that is refined, too, and in the last run."""
-_COLORED_FACE = 250
+_COLORED_FACE = 180
 """More of them where vertices have colors."""
 _SHARE_OF_BLOCK = 4
 """Blocks that fit into memory at a time."""
