@@ -7,9 +7,9 @@ scripts/python benchmarks/huge.py [--faces N] [--scene scan|beside] [--percent P
 
 The scan is a torus with fractal relief; beside it there is, in the scene of that name, one as large and as finely
 divided that has flat sides like a machined part. With --guard faces that cross are avoided, as is the default of both
-commands. Every process of huge has an address space of that size (RLIMIT_AS); what simplify takes is printed beside it. Prints
-processor seconds, largest process, distances, edges, and ratios to simplify. A busy machine changes no ratio but that
-of processor seconds, by caches and by what the threads of simplify wait for each other.
+commands. Every process of huge has an address space of that size (RLIMIT_AS); what simplify takes is printed beside it.
+Prints processor seconds, largest process, distances, edges, and ratios to simplify. A busy machine changes no ratio
+but that of processor seconds, by caches and by what the threads of simplify wait for each other.
 """
 
 import argparse

@@ -28,7 +28,7 @@ class Grid:
     @property
     def side(self) -> float:
         """Of the cube."""
-        return self.step * SIDE**LEVELS
+        return self.step * float(SIDE**LEVELS)
 
     @classmethod
     def around(cls, low: list[float], high: list[float]) -> "Grid":
