@@ -54,7 +54,7 @@ class Sizes:
 
     def in_memory(self, target: int) -> bool:
         """Whether enough faces fit into the last run."""
-        return _LEAST_LEFT * target <= self.last
+        return _LEAST_LEFT * target <= _ROOM * self.last
 
 
 def sizes_for(memory: int, block: int | None, *, colored: bool = False) -> Sizes:
