@@ -137,7 +137,7 @@ def test_vertices_keep_their_colors_where_these_are_not_to_be_kept_up(mesh: Any,
 def test_colors_of_other_types_become_bytes_as_simplify_makes_them(largest: int, mesh: Any, tmp_path: Path) -> None:
     """What real numbers mean is known from all of them: of the faces that are read here none is bright."""
     vertices, faces = mesh
-    numbers = np.linspace(0, largest, len(vertices))
+    numbers = largest * np.linspace(0, 1, len(vertices)) ** 2
     colors = np.stack([numbers, numbers[::-1], numbers * 0, numbers], axis=1)
     colors = colors.astype(np.uint16 if largest > 255 else np.float32)
     write_ply(tmp_path / "mesh.ply", vertices, faces, colors=colors, order=">")
