@@ -95,7 +95,7 @@ class PlySource:
             if name not in kept[element]
         ]
         if self._is_soup:
-            notes.append(f"{self._shown}: its faces share no vertices; those with equal coordinates are one")
+            notes.append(f"{self._shown}: it has no fewer vertices than faces have corners; those with equal coordinates are one")
         return notes
 
     def _check(self, size: int) -> None:
