@@ -95,7 +95,7 @@ class PlySource:
             if name not in kept[element]
         ]
         if self._is_soup:
-            notes.append(f"{self._shown}: it has no fewer vertices than faces have corners; those with equal coordinates are one")
+            notes.append(f"{self._shown}: vertices with equal coordinates are one, as there are three or more a face")
         return notes
 
     def _check(self, size: int) -> None:
