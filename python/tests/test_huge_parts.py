@@ -31,7 +31,7 @@ from laplacian_simplify.huge.plan import block_memory, common_cost, held_back, n
 from laplacian_simplify.huge.ply_source import PlySource
 from laplacian_simplify.huge.report import HugeReport
 from laplacian_simplify.huge.rounds import Simplified
-from laplacian_simplify.huge.runs import _Run, _without_leftovers
+from laplacian_simplify.huge.runs import _crossings, _Run, _without_leftovers
 from laplacian_simplify.huge.samples import spread
 from laplacian_simplify.huge.scatter import scatter
 from laplacian_simplify.huge.stages import Task
@@ -186,6 +186,13 @@ def test_a_report_says_which_crossings_nobody_has_counted() -> None:
     assert doubts(1, 0) == doubts(0, 3) == doubts(1, None, avoid=False) == []
     assert doubts(1, 3) == ["3 pairs of faces cross; how many did in the input was not counted"]
     assert "faces of different blocks may cross" in doubts(2, None)[0]
+
+
+def test_what_crossed_in_what_was_left_is_not_said_of_the_input() -> None:
+    found = {"self_intersections": 3, "self_intersections_before": 2}
+    assert _crossings(Simplified([], [], found)) == found
+    assert _crossings(Simplified([], [{}], found)) == {"self_intersections": 3}
+    assert _crossings(Simplified([], [{}, {}], None)) == {}
 
 
 def test_the_memory_of_who_started_the_process_does_not_count(tmp_path: Path) -> None:
