@@ -22,10 +22,24 @@ def torus(around: int, across: int) -> tuple[np.ndarray, np.ndarray]:
     return points.astype(np.float32), faces.reshape(2, -1, 3).transpose(1, 0, 2).reshape(-1, 3).astype(np.int32)
 
 
-def write_ply(path: Path, vertices: Any, faces: Any, *, order: str = "<", extras: bool = False) -> None:
+COLORS = ("red", "green", "blue", "alpha")
+
+
+def painted(vertices: np.ndarray) -> np.ndarray:
+    """Colors that are smooth in one place and change quickly in another, (n, 3) of bytes."""
+    x, y, z = vertices.astype(np.float64).T
+    waves = [np.sin(3 * x + z), np.sin(9 * y - 2 * x), np.sign(np.sin(5 * x * y))]
+    return np.rint(127 + 120 * np.stack(waves, axis=1)).astype(np.uint8)
+
+
+def write_ply(
+    path: Path, vertices: Any, faces: Any, *, order: str = "<", extras: bool = False, colors: Any = None
+) -> None:
     """Binary PLY; extras are properties before, between and behind those of the mesh."""
     kind = "f8" if vertices.dtype == np.float64 else "f4"
     columns = [(axis, order + kind) for axis in "xyz"]
+    if colors is not None:
+        columns += [(name, order + colors.dtype.str[1:]) for name in COLORS[: colors.shape[1]]]
     face = [("count", "u1"), ("corners", order + "i4", 3)]
     if extras:
         columns = [("id", order + "i2"), *columns[:2], ("quality", order + "f8"), columns[2], ("red", "u1")]
@@ -33,8 +47,10 @@ def write_ply(path: Path, vertices: Any, faces: Any, *, order: str = "<", extras
     rows, corners = np.zeros(len(vertices), columns), np.zeros(len(faces), face)
     for k, axis in enumerate("xyz"):
         rows[axis] = vertices[:, k]
+    for k in range(0 if colors is None else colors.shape[1]):
+        rows[COLORS[k]] = colors[:, k]
     corners["count"], corners["corners"] = 3, faces
-    names = {"f4": "float", "f8": "double", "i2": "short", "u1": "uchar"}
+    names = {"f4": "float", "f8": "double", "i2": "short", "u1": "uchar", "u2": "ushort"}
     lines = ["ply", f"format binary_{'little' if order == '<' else 'big'}_endian 1.0"]
     lines += [f"element vertex {len(rows)}"]
     lines += [f"property {names[np.dtype(row[1]).str[1:]]} {row[0]}" for row in columns]
@@ -54,11 +70,17 @@ def write_stl(path: Path, vertices: Any, faces: Any) -> None:
 
 def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of what huge writes."""
+    return read_painted(path)[:2]
+
+
+def read_painted(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """And its colors, (n, 0) where there are none."""
     header, _, body = path.read_bytes().partition(b"end_header\n")
     counts = [int(line.split()[2]) for line in header.decode().splitlines() if line.startswith("element")]
     kind = "<f8" if b"double x" in header else "<f4"
-    vertices = np.frombuffer(body, kind, 3 * counts[0]).reshape(-1, 3)
+    parts = sum(f"uchar {name}\n".encode() in header for name in COLORS)
+    vertices = np.frombuffer(body, [("place", kind, 3), ("color", "u1", parts)], counts[0])
     rows = np.frombuffer(body, [("count", "u1"), ("corners", "<i4", 3)], counts[1], vertices.nbytes)
     assert vertices.nbytes + rows.nbytes == len(body)
     assert (rows["count"] == 3).all()
-    return vertices, rows["corners"]
+    return vertices["place"], rows["corners"], vertices["color"]

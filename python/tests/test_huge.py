@@ -66,6 +66,7 @@ def test_it_is_as_good_as_in_memory(mesh: Any, first: Any) -> None:
     assert report["rms"] < RMS * in_memory.rms
     assert report["feature_rms"] < FEATURE_RMS * in_memory.feature_rms
     assert report["hausdorff"] < HAUSDORFF * in_memory.hausdorff
+    assert report["self_intersections"] == in_memory.self_intersections == 0
     for name in ("boundary_edges", "non_manifold_edges"):
         assert report[name] == report[name + "_before"] == 0
 
@@ -98,6 +99,9 @@ def test_a_result_that_does_not_fit_is_refined_in_blocks(mesh: Any, source: Path
     assert (len(vertices), len(faces)) == (report["vertices"], report["faces"])
     assert set(edges(faces)) == {2}
     assert report["boundary_edges"] == report["non_manifold_edges"] == 0
+    assert "self_intersections" not in report
+    assert [row["self_intersections"] for row in report["rounds"]] == [0, 0]
+    assert [note.partition(";")[0] for note in report["notes"]] == ["the result was refined in blocks"]
 
 
 def test_what_fits_is_simplified_as_by_simplify(mesh: Any, source: Path, tmp_path: Path) -> None:
@@ -119,6 +123,23 @@ def test_stl_is_welded_where_blocks_are_read(mesh: Any, first: Any, tmp_path: Pa
     assert report["rms"] < RMS * first[1]["rms"]
 
 
+@pytest.mark.parametrize("double", [False, True])
+def test_soup_is_welded_where_blocks_are_read(double: bool, mesh: Any, first: Any, tmp_path: Path) -> None:
+    """PLY whose faces share no vertices, and it is said so. Zeros of either sign are one."""
+    vertices, faces = mesh
+    corners = vertices[faces].reshape(-1, 3).astype(np.float64 if double else np.float32)
+    corners[::2][corners[::2] == 0] = -0.0
+    soup = np.arange(len(corners)).reshape(-1, 3)
+    write_ply(tmp_path / "soup.ply", corners, soup, colors=np.zeros((len(corners), 3), np.uint8))
+    report = ls.simplify_huge(tmp_path / "soup.ply", tmp_path / "small.ply", target_percent=2, block_faces=15_000)
+    assert report.faces == FACES // 50
+    assert report.boundary_edges_before == report.boundary_edges == report.non_manifold_edges == 0
+    assert report.rms < RMS * first[1]["rms"]
+    assert len(report.rounds) >= 1
+    assert "'red' of vertices is left out" in report.notes[0]
+    assert "vertices with equal coordinates are one" in report.notes[3]
+
+
 def test_properties_are_passed_over_by_their_size(mesh: Any, first: Any, tmp_path: Path) -> None:
     """In big-endian, too."""
     write_ply(tmp_path / "torus.ply", *mesh, order=">", extras=True)
@@ -126,6 +147,7 @@ def test_properties_are_passed_over_by_their_size(mesh: Any, first: Any, tmp_pat
     done = run_command("huge", tmp_path / "torus.ply", tmp_path / "small.ply", *words)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "small.ply").read_bytes() == first[0]
+    # Red alone is no color.
     left_out = ["'id' of vertices", "'quality' of vertices", "'red' of vertices", "'flags' of faces", "'uv' of faces"]
     assert [any(name in line for line in done.stderr.splitlines()) for name in left_out] == [True] * 5
 

@@ -7,30 +7,35 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from array_meshes import wave
 from huge_meshes import torus, write_ply
+
+import laplacian_simplify as ls
 
 pytest.importorskip("distributed")
 
 from laplacian_simplify.files.errors import MeshFileError
 from laplacian_simplify.huge import finish, surface_library, tasks
 from laplacian_simplify.huge.array_file import ArrayFile, is_whole, save_arrays
-from laplacian_simplify.huge.collapse import Engine
+from laplacian_simplify.huge.collapse import Engine, Wanted, collapse
 from laplacian_simplify.huge.comparison import Surface, nearest_in_parts
 from laplacian_simplify.huge.edges import edges_between_blocks, edges_of_block
 from laplacian_simplify.huge.gather import count_foreign, gather
 from laplacian_simplify.huge.grid import SIDE, CellTable, Grid, Layout, cells_of, paths_of
 from laplacian_simplify.huge.layout import Histogram, divide
-from laplacian_simplify.huge.plan import common_cost, held_back, next_round, shares, sizes_for
+from laplacian_simplify.huge.plan import block_memory, common_cost, held_back, next_round, shares, sizes_for
 from laplacian_simplify.huge.ply_source import PlySource
 from laplacian_simplify.huge.report import HugeReport
-from laplacian_simplify.huge.runs import _without_leftovers
+from laplacian_simplify.huge.rounds import Simplified
+from laplacian_simplify.huge.runs import _crossings, _Run, _without_leftovers
 from laplacian_simplify.huge.samples import spread
 from laplacian_simplify.huge.scatter import scatter
 from laplacian_simplify.huge.stages import Task
-from laplacian_simplify.huge.stl_source import check_collisions, hashed
+from laplacian_simplify.huge.welding import check_collisions, hashed
 from laplacian_simplify.huge.work_folder import SchedulerGoneError, WorkFolder
 from laplacian_simplify.options import as_option
 from laplacian_simplify.report import StopReason
@@ -139,16 +144,55 @@ def test_the_last_run_asks_for_no_threads_that_gain_nothing(tmp_path: Path, monk
     write_ply(tmp_path / "two.ply", SQUARE, TWO)
     asked: list[float] = []
 
-    def run(_mesh: object, parameters: dict[str, float], _progress: object) -> None:
+    def run(_engine: Engine, _mesh: object, _colors: object, parameters: dict[str, float]) -> None:
         asked.append(parameters["threads"])
         raise InterruptedError
 
-    monkeypatch.setattr(finish, "run", run)
+    monkeypatch.setattr(Engine, "run", run)
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: range(64))
     item = ["input", str(tmp_path / "two.ply"), 0, 2]
     with pytest.raises(InterruptedError):
         finish.last_run(tmp_path, [], item, 1, False, False, Engine(2, 0, 0), 0, "two", "last.block")
     assert asked == [1]
+
+
+def test_no_more_faces_of_a_block_cross_than_before(tmp_path: Path) -> None:
+    """Two waves close to each other, which cross where nobody sees to it."""
+    vertices, faces = wave(60)
+    both = np.concatenate([vertices, vertices + np.array([0, 0, 0.005])])
+    triangles = np.concatenate([faces, faces + len(vertices)]).astype(np.uint32)
+    arrays = {"ids": np.arange(len(both)), "positions": both, "triangles": triangles, "foreign": np.empty(0, np.int64)}
+    save_arrays(tmp_path / "both.block", arrays)
+    Layout.save(tmp_path / "0.layout", [np.zeros(SIDE**3, np.int32)], [np.zeros(SIDE**3, np.int32)])
+    parts = [["both.block", 0, len(both), 0, len(triangles), 0, 0]]
+    grid = Grid.around(both.min(axis=0).tolist(), both.max(axis=0).tolist())
+    found = {}
+    for avoid in (True, False):
+        wanted = Wanted(target=600, avoid_crossings=avoid)
+        answer = collapse(tmp_path, 0, parts, grid, "0.layout", Engine(2, 1, 0), wanted, "both", "out.block")
+        out = ArrayFile(tmp_path / "out.block")
+        counted = ls.simplify(out.read("positions"), out.read("triangles"), target_percent=99, threads=1).report
+        found[avoid] = counted.self_intersections
+        assert answer["self_intersections"] == (0 if avoid else None)
+    assert found[True] == 0 < found[False]
+
+
+def test_a_report_says_which_crossings_nobody_has_counted() -> None:
+    def doubts(rounds: int, crossings: int | None, *, avoid: bool = True) -> list[str]:
+        report = None if crossings is None else {"self_intersections": crossings}
+        aim = SimpleNamespace(avoid_crossings=avoid)
+        return _Run(SimpleNamespace(chunk_faces=1), None, None, aim)._doubts(Simplified([], [{}] * rounds, report))
+
+    assert doubts(1, 0) == doubts(0, 3) == doubts(1, None, avoid=False) == []
+    assert doubts(1, 3) == ["3 pairs of faces cross; how many did in the input was not counted"]
+    assert "faces of different blocks may cross" in doubts(2, None)[0]
+
+
+def test_what_crossed_in_what_was_left_is_not_said_of_the_input() -> None:
+    found = {"self_intersections": 3, "self_intersections_before": 2}
+    assert _crossings(Simplified([], [], found)) == found
+    assert _crossings(Simplified([], [{}], found)) == {"self_intersections": 3}
+    assert _crossings(Simplified([], [{}, {}], None)) == {}
 
 
 def test_the_memory_of_who_started_the_process_does_not_count(tmp_path: Path) -> None:
@@ -165,7 +209,7 @@ def test_the_memory_of_who_started_the_process_does_not_count(tmp_path: Path) ->
     done = subprocess.run(
         [sys.executable, "-c", parent, child, tmp_path / "two.ply"], capture_output=True, text=True, check=True
     )
-    assert 1 << 20 < int(done.stdout) < 1 << 29
+    assert 1 << 20 < int(done.stdout) < block_memory(0)  # what is planned for a process before it reads anything
 
 
 def test_whole_numbers_of_32_bits_keep_them(tmp_path: Path) -> None:
@@ -175,12 +219,12 @@ def test_whole_numbers_of_32_bits_keep_them(tmp_path: Path) -> None:
         rows = np.array([[0, 0, 0], [largest, 0, 0], [0, largest, 0]], kind)
         head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
         head += "".join(f"property {name} {axis}\n" for axis in "xyz")
-        head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-        face = b"\3" + np.array([0, 1, 2], "<i4").tobytes()
+        head += "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        face = 2 * (b"\3" + np.array([0, 1, 2], "<i4").tobytes())
         (tmp_path / "mesh.ply").write_bytes(head.encode() + rows.tobytes() + face)
         source = PlySource(str(tmp_path / "mesh.ply"))
         assert source.single == is_single
-        assert np.array_equal(source.chunk(0, 1).positions, rows)
+        assert np.array_equal(source.chunk(0, 2).positions, rows)
 
 
 def test_a_work_folder_that_is_removed_in_part_begins_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -340,6 +384,10 @@ def test_rounds() -> None:
     first = next_round(17_000_000, 170_000, sizes, [])
     assert first is not None
     assert (first.kind, first.goal) == ("collapse", 12 * 170_000)
+    largest = max(target for target in range(100_000, sizes.last, 10_000) if sizes.in_memory(target))
+    least = next_round(100_000_000, largest, sizes, [])
+    assert least is not None
+    assert least.goal >= 2.5 * largest  # what the last run sees
     assert held_back(first, 17_000_000, 300_000) == 10 * 300_000  # seams cannot shrink in their own round
     stuck = [{"kind": "collapse", "before": 9_000_000, "after": 8_900_000}]
     with pytest.raises(MeshFileError, match="give more by --memory"):

@@ -91,30 +91,36 @@ def _colors(columns: Columns, element: Element) -> Colors | None:
     """Four bytes a row, from whatever numbers the file has."""
     types = {row.name: row.type for row in element.properties}
 
-    def as_bytes(name: str) -> NDArray[np.uint8]:
-        return _as_bytes(np.asarray(columns[name]), types[name])
+    def of_column(name: str) -> NDArray[np.uint8]:
+        return as_bytes(np.asarray(columns[name]), types[name])
 
     for prefix in ("", "diffuse_"):
         names = [prefix + name for name in ("red", "green", "blue", "alpha")]
         if all(name in columns and not isinstance(columns[name], Lists) for name in names[:3]):
-            picked = [as_bytes(name) for name in names[:3]]
+            picked = [of_column(name) for name in names[:3]]
             opaque = np.full(len(picked[0]), 255, np.uint8)
-            picked.append(as_bytes(names[3]) if not isinstance(columns.get(names[3], _NONE), Lists) else opaque)
+            picked.append(of_column(names[3]) if not isinstance(columns.get(names[3], _NONE), Lists) else opaque)
             return np.stack(picked, axis=1)
     if not isinstance(columns.get("intensity", _NONE), Lists):
-        gray = as_bytes("intensity")
+        gray = of_column("intensity")
         return np.stack([gray, gray, gray, np.full_like(gray, 255)], axis=1)
     return None
 
 
-def _as_bytes(column: NDArray[Any], type_name: str) -> NDArray[np.uint8]:
-    """Colors as they may be: bytes, two bytes, or real numbers from 0 to 1."""
+def as_bytes(column: NDArray[Any], type_name: str, brightest: float | None = None) -> NDArray[np.uint8]:
+    """Colors as they may be: bytes, two bytes, or real numbers from 0 to 1.
+
+    Args:
+        column: of one part of them.
+        type_name: that of its property.
+        brightest: the largest of all, where the column is a part.
+    """
     if column.dtype == np.uint8:
         return column
     numbers = np.nan_to_num(column.astype(np.float64))
     if type_name == "u2":
         numbers = numbers // 257
-    elif type_name[0] == "f" and numbers.max(initial=0) <= 1:
+    elif type_name[0] == "f" and (numbers.max(initial=0) if brightest is None else brightest) <= 1:
         numbers = numbers * 255
     return np.asarray(np.clip(numbers, 0, 255), dtype=np.uint8)
 

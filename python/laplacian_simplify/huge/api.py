@@ -25,6 +25,8 @@ class HugeOptions(TypedDict, total=False):
     feature_weight: float | None
     effort: Effort | int | None
     boundary: Boundary | int | None
+    keep_attributes: bool | None
+    attribute_weight: float | None
     preserve_topology: bool | None
     avoid_self_intersections: bool | None
     measure_error: bool | None

@@ -18,6 +18,8 @@ PARAMETERS = (
     "feature_weight",
     "effort",
     "boundary",
+    "keep_attributes",
+    "attribute_weight",
     "preserve_topology",
     "avoid_self_intersections",
     "measure_error",

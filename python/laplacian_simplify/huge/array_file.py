@@ -90,6 +90,10 @@ class ArrayFile:
         """How many rows an array has."""
         return int(self._table[name][1][0])
 
+    def columns(self, name: str) -> int:
+        """How many numbers a row of an array has; 0 where there is no such array."""
+        return int(np.prod(self._table[name][1][1:], dtype=np.int64)) if name in self._table else 0
+
     def read(self, name: str, begin: int = 0, end: int | None = None) -> Array:
         """Rows of an array, all of them by default.
 

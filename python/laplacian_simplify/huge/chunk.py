@@ -20,6 +20,8 @@ class Bounds:
     low: list[float]
     high: list[float]
     checksum: int
+    brightest: tuple[float, ...] = ()
+    """The largest number of each part of their colors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,9 +38,11 @@ class Chunk:
     """Faces with the same vertex at two corners, which are left out."""
     checksum: int = 0
     """Of the bytes that were read for the faces."""
+    colors: Array | None = None
+    """(n, 3) or (n, 4): bytes, or float32 from 0 to 1."""
 
 
-def bounds_of(columns: list[Array], shown: str, checksum: int) -> Bounds:
+def bounds_of(columns: list[Array], shown: str, checksum: int, brightest: tuple[float, ...] = ()) -> Bounds:
     """The box of coordinates.
 
     Raises:
@@ -52,12 +56,14 @@ def bounds_of(columns: list[Array], shown: str, checksum: int) -> Bounds:
             f"{shown} cannot be used: coordinates of vertices are not finite or larger than 1e18 "
             f"({bad:,} of the {len(usable):,} that were looked at together)"
         )
-    return Bounds([float(c.min()) for c in columns], [float(c.max()) for c in columns], checksum)
+    return Bounds([float(c.min()) for c in columns], [float(c.max()) for c in columns], checksum, brightest)
 
 
-def without_degenerate(ids: Array, positions: Array, triangles: Array, checksum: int) -> Chunk:
+def without_degenerate(
+    ids: Array, positions: Array, triangles: Array, checksum: int, colors: Array | None = None
+) -> Chunk:
     """The chunk of these faces. Vertices of none stay: whoever takes faces takes theirs."""
     a, b, c = triangles.T
     sound = (a != b) & (b != c) & (c != a)
     dropped = len(sound) - int(np.count_nonzero(sound))
-    return Chunk(ids, positions, triangles[sound] if dropped else triangles, dropped, checksum)
+    return Chunk(ids, positions, triangles[sound] if dropped else triangles, dropped, checksum, colors)

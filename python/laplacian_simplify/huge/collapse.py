@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ..library import MeshArrays, Outcome, run
+from ..library import MeshArrays, Outcome
 from .array_file import Array, save_arrays
+from .colors import run_with_colors, weight_in_part
 from .edges import edges_of_block
 from .gather import Block, Part, count_foreign, gather
 from .grid import Grid, Layout, counted, paths_of
@@ -30,6 +31,10 @@ class Engine:
     boundary: int
     preserve_topology: int
     descriptor_scale: float = 0
+    keep_attributes: int = 1
+    attribute_weight: float = 0
+    face_area: float = 0
+    """Of a face of the result, where the mesh has colors and is simplified in parts."""
 
     def parameters(self, target: int, effort: int, *, cost_limit: float = 0, threads: int = 1) -> dict[str, float]:
         """Parameters of library.run."""
@@ -43,6 +48,14 @@ class Engine:
             "cost_limit": cost_limit,
             "threads": threads,
         }
+
+    def run(self, mesh: MeshArrays, colors: Array | None, parameters: dict[str, float]) -> tuple[Outcome, Array | None]:
+        """Simplifies a part of the mesh with the colors that it has, and returns those that it has then."""
+        if colors is not None and self.keep_attributes:
+            target = int(parameters["target_faces"])
+            weight = weight_in_part(self.attribute_weight, self.face_area, mesh, target)
+            parameters = parameters | {"attribute_weight": weight}
+        return run_with_colors(mesh, colors, parameters, guide=bool(self.keep_attributes))
 
 
 def pilot(
@@ -64,7 +77,7 @@ def pilot(
     free = len(mesh.ids) - int(np.count_nonzero(border))
     arrays = MeshArrays(mesh.positions, mesh.triangles, border)
     faces = len(mesh.triangles)
-    outcome = run(arrays, engine.parameters(_looked_at(share, faces, border), FAST), None)
+    outcome, _ = engine.run(arrays, mesh.colors, engine.parameters(_looked_at(share, faces, border), FAST))
     left = [(cost, max(1.0, free - (faces - now) / 2) / max(free, 1)) for cost, now in outcome.steps if cost > 0]
     return {
         "block": block,
@@ -81,7 +94,8 @@ def survey(
     mesh = gather(folder, parts, shown)
     fixed = _fixed(folder, mesh, block, grid, layout)
     arrays = MeshArrays(mesh.positions, mesh.triangles, fixed, shared_seams=True)
-    outcome = run(arrays, engine.parameters(_looked_at(share, len(mesh.triangles), fixed), FAST), None)
+    looked_at = _looked_at(share, len(mesh.triangles), fixed)
+    outcome, _ = engine.run(arrays, mesh.colors, engine.parameters(looked_at, FAST))
     return {
         "block": block,
         "faces": len(mesh.triangles),
@@ -102,6 +116,8 @@ class Wanted:
     """A file for what is measured of the block as it is before."""
     density: float = 0
     """Samples a face."""
+    avoid_crossings: bool = False
+    """No more faces of the block cross each other than before."""
 
 
 def collapse(
@@ -116,12 +132,15 @@ def collapse(
         answer["original"] = sample(folder, mesh, fixed, wanted.density, wanted.sampled)
     target = wanted.target or _least(mesh)
     arrays = MeshArrays(mesh.positions, mesh.triangles, fixed, shared_seams=True)
-    outcome = run(arrays, engine.parameters(target, wanted.effort, cost_limit=wanted.cost_limit), None)
-    answer |= _saved(folder / file, mesh.ids, fixed, outcome, grid)
+    parameters = engine.parameters(target, wanted.effort, cost_limit=wanted.cost_limit)
+    parameters["avoid_self_intersections"] = int(wanted.avoid_crossings)
+    outcome, colors = engine.run(arrays, mesh.colors, parameters)
+    answer["self_intersections"] = outcome.report.get("self_intersections")
+    answer |= _saved(folder / file, mesh.ids, fixed, outcome, grid, colors)
     return answer
 
 
-def _saved(path: Path, ids: Array, fixed: Array, outcome: Outcome, grid: Grid) -> dict[str, Any]:
+def _saved(path: Path, ids: Array, fixed: Array, outcome: Outcome, grid: Grid, colors: Array | None) -> dict[str, Any]:
     ids, shared = ids[outcome.vertex_origin], fixed[outcome.vertex_origin]
     positions, triangles = outcome.vertices, outcome.faces
     edges = edges_of_block(ids, positions, triangles, shared)
@@ -129,6 +148,8 @@ def _saved(path: Path, ids: Array, fixed: Array, outcome: Outcome, grid: Grid) -
     seams = counted(paths_of(grid.places(positions[shared]), 0))
     arrays = {"ids": ids, "positions": positions, "triangles": triangles, "shared": shared, **cells}
     arrays |= {"seam_cells": seams["cells"], "seam_counts": seams["counts"], **edges.shared}
+    if colors is not None:
+        arrays["colors"] = colors
     return {
         **save_arrays(path, arrays),
         "faces": len(triangles),

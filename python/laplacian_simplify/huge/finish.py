@@ -12,10 +12,11 @@ import numpy as np
 
 from ..files.errors import printable
 from ..files.staging import unwritable
-from ..library import MeshArrays, run
+from ..library import MeshArrays
 from . import surface_library
 from .array_file import Array, ArrayFile, save_arrays
 from .collapse import Engine
+from .colors import as_bytes
 from .gather import Item, Part, gather, load
 
 _ROWS = 1 << 20
@@ -41,19 +42,21 @@ def last_run(
         shown: name of the mesh.
         file: to write.
     """
-    mesh, before = _whole_mesh(folder, parts, item, shown)
+    mesh, colors, before = _whole_mesh(folder, parts, item, shown)
     parameters = engine.parameters(target, effort, threads=_threads(len(mesh.faces))) | {
         "avoid_self_intersections": int(avoid_crossings),
         "clean_input": 1,
         "measure_error": int(measure),
     }
-    outcome = run(mesh, parameters, None)
+    outcome, colors = engine.run(mesh, colors, parameters)
     arrays = {
         "ids": np.arange(len(outcome.vertices)),
         "positions": outcome.vertices,
         "triangles": outcome.faces,
         "shared": np.zeros(len(outcome.vertices), bool),
     }
+    if colors is not None:
+        arrays["colors"] = colors
     counts = {"faces": len(outcome.faces), "vertices": len(outcome.vertices)}
     return {**save_arrays(folder / file, arrays), **counts, "report": outcome.report | before}
 
@@ -62,15 +65,17 @@ def _threads(faces: int) -> int:
     return min(len(os.sched_getaffinity(0)), 1 + faces // _FACES_A_THREAD)
 
 
-def _whole_mesh(folder: Path, parts: list[Part], item: Item | None, shown: str) -> tuple[MeshArrays, dict[str, int]]:
-    """What is left, and of an input as it is the edges that nobody has counted yet."""
+def _whole_mesh(
+    folder: Path, parts: list[Part], item: Item | None, shown: str
+) -> tuple[MeshArrays, Array | None, dict[str, int]]:
+    """What is left, its colors, and of an input as it is the edges that nobody has counted yet."""
     if item is None:
         block = gather(folder, parts, shown)
-        return MeshArrays(block.positions, block.triangles), {}
+        return MeshArrays(block.positions, block.triangles), block.colors, {}
     chunk = load(folder, item)
     edges = surface_library.edges(chunk.positions, chunk.triangles, np.zeros(len(chunk.positions), bool))
     names = ("boundary_edges_before", "non_manifold_edges_before")
-    return MeshArrays(chunk.positions, chunk.triangles), dict(zip(names, edges, strict=True))
+    return MeshArrays(chunk.positions, chunk.triangles), chunk.colors, dict(zip(names, edges, strict=True))
 
 
 def write_mesh(folder: Path, files: list[str], output: str, shown: str, single: bool) -> dict[str, Any]:
@@ -82,16 +87,24 @@ def write_mesh(folder: Path, files: list[str], output: str, shown: str, single: 
     blocks = [ArrayFile(folder / file) for file in files]
     numbering = _Numbering(blocks)
     faces = sum(block.rows("triangles") for block in blocks)
-    kind = np.dtype("<f4" if single else "<f8")
+    row = [("position", "<f4" if single else "<f8", 3)]
+    colors = blocks[0].columns("colors")
+    if colors:
+        row.append(("color", "u1", colors))
     header = (
         f"ply\nformat binary_little_endian 1.0\nelement vertex {numbering.total}\n"
         + "".join(f"property {'float' if single else 'double'} {axis}\n" for axis in "xyz")
+        + "".join(f"property uchar {name}\n" for name in ("red", "green", "blue", "alpha")[:colors])
         + f"element face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
     )
     with _writing(output, shown) as file:
         file.write(header.encode())
         for block, first in zip(blocks, numbering.first, strict=True):
-            file.write(block.read("positions")[first].astype(kind).tobytes())
+            vertices = np.empty(int(np.count_nonzero(first)), row)
+            vertices["position"] = block.read("positions")[first]
+            if colors:
+                vertices["color"] = as_bytes(block.read("colors")[first])
+            file.write(vertices.tobytes())
         for k, block in enumerate(blocks):
             corners = numbering.numbers(k)[block.read("triangles")]
             for begin in range(0, len(corners), _ROWS):

@@ -12,10 +12,11 @@ from ..files.errors import printable
 from .array_file import Array, ArrayFile
 from .chunk import Chunk
 from .source import open_source
-from .stl_source import check_collisions
+from .welding import check_collisions
 
 Item = list[Any]
-"""["input", path, first face, last] or ["block", file]: what a round starts with."""
+"""["input", path, first face, last, brightest of each part of its colors] or ["block", file]: what a round starts
+with. The fourth may be missing."""
 Part = list[Any]
 """[file, vertices from, to, faces from, to, foreign ids from, to]: what a block has of a file."""
 
@@ -30,14 +31,17 @@ class Block:
     triangles: Array
     foreign: Array
     """int64, ascending: vertices whose home this block is, and that faces of other blocks have."""
+    colors: Array | None = None
+    """As of chunks."""
 
 
 def load(folder: Path, item: Item) -> Chunk:
     """A part of the mesh as it is before a round."""
     if item[0] == "input":
-        return open_source(item[1]).chunk(item[2], item[3])
+        return open_source(item[1]).chunk(item[2], item[3], *item[4:])
     file = ArrayFile(folder / item[1])
-    return Chunk(file.read("ids"), file.read("positions"), file.read("triangles"))
+    colors = file.read("colors") if "colors" in file else None
+    return Chunk(file.read("ids"), file.read("positions"), file.read("triangles"), colors=colors)
 
 
 def whole(file: str, vertices: int, faces: int) -> Part:
@@ -51,7 +55,7 @@ def gather(folder: Path, parts: list[Part], shown: str) -> Block:
     Raises:
         MeshFileError: a file is damaged, or two vertices have the same id.
     """
-    ids, positions, triangles, foreign = _read(folder, parts)
+    ids, positions, triangles, colors, foreign = _read(folder, parts)
     all_ids = np.concatenate(ids)
     ids.clear()
     once, first, place = np.unique(all_ids, return_index=True, return_inverse=True)
@@ -63,7 +67,7 @@ def gather(folder: Path, parts: list[Part], shown: str) -> Block:
     picked = everywhere[first]
     check_collisions(picked[place], everywhere, printable(shown))
     found = np.unique(np.concatenate(foreign)) if foreign else np.empty(0, np.int64)
-    return Block(once, picked, corners, found)
+    return Block(once, picked, corners, found, np.concatenate(colors)[first] if colors else None)
 
 
 def count_foreign(folder: Path, parts: list[Part]) -> int:
@@ -72,10 +76,11 @@ def count_foreign(folder: Path, parts: list[Part]) -> int:
     return len(np.unique(np.concatenate(foreign))) if foreign else 0
 
 
-def _read(folder: Path, parts: list[Part]) -> tuple[list[Array], list[Array], list[Array], list[Array]]:
+def _read(folder: Path, parts: list[Part]) -> tuple[list[Array], list[Array], list[Array], list[Array], list[Array]]:
     ids: list[Array] = []
     positions: list[Array] = []
     triangles: list[Array] = []
+    colors: list[Array] = []
     foreign: list[Array] = []
     at = 0
     for name, v0, v1, f0, f1, g0, g1 in parts:
@@ -84,7 +89,9 @@ def _read(folder: Path, parts: list[Part]) -> tuple[list[Array], list[Array], li
             ids.append(file.read("ids", v0, v1))
             positions.append(file.read("positions", v0, v1))
             triangles.append(file.read("triangles", f0, f1) + np.uint32(at))
+            if "colors" in file:
+                colors.append(file.read("colors", v0, v1))
             at += v1 - v0
         if g1 > g0:
             foreign.append(file.read("foreign", g0, g1))
-    return ids, positions, triangles, foreign
+    return ids, positions, triangles, colors, foreign

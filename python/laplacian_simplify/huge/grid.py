@@ -25,6 +25,11 @@ class Grid:
     step: float
     """Side of a cell of the last level."""
 
+    @property
+    def side(self) -> float:
+        """Of the cube."""
+        return self.step * float(SIDE**LEVELS)
+
     @classmethod
     def around(cls, low: list[float], high: list[float]) -> "Grid":
         """The smallest for this box."""

@@ -14,6 +14,8 @@ _PROCESS = 75 * _MIB
 """What a process takes before it has read anything."""
 _BLOCK_FACE, _REFINED_FACE, _LAST_FACE = 220, 400, 400
 """Bytes a face: of a block that is collapsed, of one that is refined, too, and in the last run."""
+_COLORED_FACE = 180
+"""More of them where vertices have colors."""
 _SHARE_OF_BLOCK = 4
 """Blocks that fit into memory at a time."""
 _LARGEST_BLOCK, _LEAST_BLOCK = 2_000_000, 20_000
@@ -39,35 +41,45 @@ class Sizes:
     block: int
     last: int
     """In the last run, which has the whole mesh in one process."""
+    colored: bool = False
+    """Whether vertices have colors."""
+
+    def block_memory(self, faces: int, *, refined: bool = False) -> int:
+        """Bytes that a process takes for a block that is simplified."""
+        return block_memory(faces, refined=refined) + faces * _of_colors(self.colored)
+
+    def last_memory(self, faces: int) -> int:
+        """Bytes that the last run takes."""
+        return _PROCESS + faces * (_LAST_FACE + _of_colors(self.colored))
 
     def in_memory(self, target: int) -> bool:
         """Whether enough faces fit into the last run."""
-        return _LEAST_LEFT * target <= self.last
+        return _LEAST_LEFT * target <= _ROOM * self.last
 
 
-def sizes_for(memory: int, block: int | None) -> Sizes:
+def sizes_for(memory: int, block: int | None, *, colored: bool = False) -> Sizes:
     """What fits into this many bytes; where a block's size is given, in multiples of it.
 
     Raises:
         ValueError: it is too little.
     """
     if block is not None:
-        return Sizes(block, _BLOCKS_IN_LAST * block)
-    fits = (memory // _SHARE_OF_BLOCK - _PROCESS) // _BLOCK_FACE
+        return Sizes(block, _BLOCKS_IN_LAST * block, colored)
+    block_face, last_face = (face + _of_colors(colored) for face in (_BLOCK_FACE, _LAST_FACE))
+    fits = (memory // _SHARE_OF_BLOCK - _PROCESS) // block_face
     if fits < _LEAST_BLOCK:
-        least = -(-_SHARE_OF_BLOCK * (_PROCESS + _LEAST_BLOCK * _BLOCK_FACE) // _MIB)
+        least = -(-_SHARE_OF_BLOCK * (_PROCESS + _LEAST_BLOCK * block_face) // _MIB)
         raise ValueError(f"memory = {memory // _MIB}MiB is too little: at least {least}MiB")
-    return Sizes(min(fits, _LARGEST_BLOCK), (memory - 2 * _PROCESS) // _LAST_FACE)
+    return Sizes(min(fits, _LARGEST_BLOCK), (memory - 2 * _PROCESS) // last_face, colored)
+
+
+def _of_colors(colored: bool) -> int:
+    return _COLORED_FACE if colored else 0
 
 
 def block_memory(faces: int, *, refined: bool = False) -> int:
-    """Bytes that a process takes for a block."""
+    """Bytes that a process takes for a block, without the colors of one that is simplified."""
     return _PROCESS + faces * (_REFINED_FACE if refined else _BLOCK_FACE)
-
-
-def last_memory(faces: int) -> int:
-    """Bytes that the last run takes."""
-    return _PROCESS + faces * _LAST_FACE
 
 
 @dataclass(frozen=True)

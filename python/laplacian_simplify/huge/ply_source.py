@@ -4,15 +4,18 @@
 
 import os
 import zlib
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..files.errors import DamageError, printable
+from ..files.ply import as_bytes
 from ..files.ply_header import Element, Header, parse_header
 from .array_file import Array, bytes_of
 from .chunk import Bounds, Chunk, bounds_of, without_degenerate
+from .welding import welded
 
 _LONGEST_HEADER = 1 << 20
 _WINDOW = 1 << 20  # vertices that are mapped at a time
@@ -39,12 +42,10 @@ class PlySource:
         except DamageError as error:
             raise error.named(self._shown) from None
         self.vertices, self.faces = (self._places[name].rows for name in ("vertex", "face"))
-        self.notes = [
-            f"{self._shown}: '{name}' of {element} is left out: huge keeps positions and faces only"
-            for element, kept in (("vertices", {*"xyz"}), ("faces", {*_INDEX_LISTS}))
-            for name in self._places["vertex" if element == "vertices" else "face"].names
-            if name not in kept
-        ]
+        self._is_soup = self.vertices >= 3 * self.faces
+        self._colors = [] if self._is_soup else _color_names(self._places["vertex"])
+        self.colors = len(self._colors)
+        self.notes = self._left_out()
         self.single = all(np.can_cast(self._places["vertex"].dtype[name], np.float32) for name in "xyz")
 
     def bounds(self, begin: int, end: int) -> Bounds:
@@ -52,10 +53,11 @@ class PlySource:
         place = self._places["vertex"]
         rows = self._read(place, begin, end)
         columns = [rows[name].astype(np.float64) for name in "xyz"]
-        return bounds_of(columns, self._shown, zlib.crc32(bytes_of(rows.view(np.uint8))))
+        brightest = tuple(float(np.nan_to_num(rows[name]).max(initial=0)) for name in self._colors)
+        return bounds_of(columns, self._shown, zlib.crc32(bytes_of(rows.view(np.uint8))), brightest)
 
-    def chunk(self, begin: int, end: int) -> Chunk:
-        """Faces with their vertices, whose ids are their rows in the file.
+    def chunk(self, begin: int, end: int, brightest: Sequence[float] = ()) -> Chunk:
+        """Faces with their vertices, whose ids are their rows in the file, or hashes where faces share none.
 
         Raises:
             MeshFileError: a face is no triangle, or a vertex of it does not exist.
@@ -78,7 +80,23 @@ class PlySource:
                 + (f", as have {len(outside) - 1:,} faces after it" if len(outside) > 1 else ""),
             ).named(self._shown)
         ids, local = _numbered(corners)
-        return without_degenerate(ids, self._positions(ids), local, checksum)
+        positions, colors = self._vertices(ids, brightest)
+        if self._is_soup:
+            ids, positions, local = welded(positions[local.reshape(-1)], self._shown)
+        return without_degenerate(ids, positions, local, checksum, colors)
+
+    def _left_out(self) -> list[str]:
+        """Notes on what is passed over."""
+        kept = {"vertex": {*"xyz", *self._colors}, "face": {*_INDEX_LISTS}}
+        notes = [
+            f"{self._shown}: '{name}' of {shown} is left out: huge keeps positions, faces and colors of vertices only"
+            for element, shown in (("vertex", "vertices"), ("face", "faces"))
+            for name in self._places[element].names
+            if name not in kept[element]
+        ]
+        if self._is_soup:
+            notes.append(f"{self._shown}: vertices with equal coordinates are one, as there are three or more a face")
+        return notes
 
     def _check(self, size: int) -> None:
         needed = max(place.start + place.rows * place.dtype.itemsize for place in self._places.values())
@@ -95,10 +113,11 @@ class PlySource:
             raise DamageError("end of file", "it has become shorter").named(self._shown)
         return rows
 
-    def _positions(self, ids: Array) -> Array:
-        """Of ascending rows, in windows, so that address space is bounded, too."""
+    def _vertices(self, ids: Array, brightest: Sequence[float]) -> tuple[Array, Array | None]:
+        """Positions and colors of ascending rows, in windows, so that address space is bounded, too."""
         place = self._places["vertex"]
         positions = np.empty((len(ids), 3), np.float32 if self.single else np.float64)
+        colors = np.empty((len(ids), self.colors), np.uint8) if self.colors else None
         at = 0
         while at < len(ids):
             first = int(ids[at]) // _WINDOW * _WINDOW
@@ -108,8 +127,12 @@ class PlySource:
             picked = window[ids[at:stop] - first]
             for k, name in enumerate("xyz"):
                 positions[at:stop, k] = picked[name]
+            for k, name in enumerate(self._colors):
+                assert colors is not None
+                type_name = place.dtype[name].str[1:]
+                colors[at:stop, k] = as_bytes(picked[name], type_name, brightest[k] if brightest else None)
             at = stop
-        return positions
+        return positions, colors
 
 
 class _Place:
@@ -119,6 +142,15 @@ class _Place:
         self.start, self.rows, self.dtype, self.lists = start, element.rows, np.dtype(fields), lists
         self.names = [row.name for row in element.properties]
         self.index_list = next((name for name in _INDEX_LISTS if name in lists), "")
+
+
+def _color_names(vertex: _Place) -> list[str]:
+    """The properties that simplify takes as a color; none where there is no color."""
+    for prefix in ("", "diffuse_"):
+        names = [prefix + name for name in ("red", "green", "blue", "alpha")]
+        if set(names[:3]) <= set(vertex.names):
+            return [name for name in names if name in vertex.names]
+    return []
 
 
 def _places(header: Header, file: Any) -> dict[str, _Place]:

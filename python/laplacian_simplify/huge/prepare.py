@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..files.errors import MeshFileError, printable
 from .array_file import ArrayFile
+from .colors import whole_area
 from .gather import Item
 from .grid import LEVELS, Grid
 from .layout import Histogram
@@ -33,6 +34,15 @@ class Prepared:
     faces: int
     dropped: int
     """Faces with the same vertex at two corners, which are left out."""
+    colors: int
+    """Bytes that the color of a vertex has."""
+    area: float
+    """Of all faces, where vertices have colors."""
+
+    def whole(self) -> Item:
+        """All of it in one chunk."""
+        name, path, _, _, *colors = self.items[0]
+        return [name, path, 0, self.faces + self.dropped, *colors]
 
     @property
     def plain_grid(self) -> list[float]:
@@ -56,13 +66,18 @@ def prepare(stages: Stages, path: str, source: Source, chunk: int) -> Prepared:
     low = [min(box["low"][k] for box in boxes) for k in range(3)]
     high = [max(box["high"][k] for box in boxes) for k in range(3)]
     grid = Grid.around(low, high)
+    brightest = [max(parts) for parts in zip(*(box["brightest"] for box in boxes), strict=True)]
     items: list[Item] = [
-        ["input", path, begin, min(begin + chunk, source.faces)] for begin in range(0, source.faces, chunk)
+        ["input", path, begin, min(begin + chunk, source.faces), brightest] for begin in range(0, source.faces, chunk)
     ]
     counts = count_faces(stages, items, [*grid.low, grid.step], "count", chunk)
     _compare([answer["read"] for answer in (*boxes, *counts)], stages, path)
     dropped = sum(answer["dropped"] for answer in counts)
-    return Prepared(path, source.single, items, chunk, grid, low, high, counts, source.faces - dropped, dropped)
+    area = whole_area([answer["area"] for answer in counts], grid.side)
+    return Prepared(
+        path, source.single, items, chunk, grid, low, high, counts, source.faces - dropped, dropped,
+        source.colors, area,
+    )  # fmt: skip
 
 
 def count_faces(

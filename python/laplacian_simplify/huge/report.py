@@ -51,10 +51,15 @@ class HugeReport:
     """The largest distance of the samples, in either direction."""
     rms: float | None = None
     feature_rms: float | None = None
+    self_intersections: int | None = None
+    """Pairs of faces that cross; None where they were not to be avoided, or the result was refined in blocks."""
+    self_intersections_before: int | None = None
+    """Counted only where the mesh fits into memory and some of the result cross."""
     dropped_faces: int
     """With the same vertex at two corners."""
     rounds: list[dict[str, Any]] = field(repr=False)
-    """Of each: kind, before, after, goal (faces), blocks, largest (faces of a block), seams (vertices), cost."""
+    """Of each: kind, before, after, goal (faces), blocks, largest (faces of a block), seams (vertices), cost, and
+    self_intersections (pairs within blocks)."""
     processor_seconds: dict[str, float] = field(repr=False)
     """Of each stage."""
     peak_memory: int

@@ -8,6 +8,7 @@ from typing import Any
 from ..files.errors import MeshFileError, printable
 from .array_file import ArrayFile
 from .collapse import Engine
+from .colors import expected_face
 from .gather import Part, whole
 from .grid import Layout
 from .layout import Division, Histogram, divide
@@ -18,7 +19,6 @@ from .plan import (
     common_cost,
     common_scale,
     held_back,
-    last_memory,
     next_round,
     shares,
 )
@@ -41,7 +41,7 @@ class Aim:
     effort: int
     sizes: Sizes
     avoid_crossings: bool
-    """In the last run."""
+    """In each block, and in the last run."""
     samples: int
     """Points by which the result is compared; 0: it is not."""
 
@@ -61,7 +61,9 @@ class Rounds:
     """Does them."""
 
     def __init__(self, stages: Stages, mesh: Prepared, aim: Aim) -> None:
-        self._stages, self._mesh, self._aim, self._work = stages, mesh, aim, stages.work
+        self._stages, self._mesh, self._work = stages, mesh, stages.work
+        face_area = expected_face(mesh.area, aim.target, mesh.faces)
+        self._aim = replace(aim, engine=replace(aim.engine, face_area=face_area))
         self._done: list[Row] = []
         self._items, self._largest, self._faces = mesh.items, mesh.chunk, mesh.faces
 
@@ -117,16 +119,17 @@ class Rounds:
         blocks = self._done[-1]["files"] if self._done else []
         arguments = {
             "parts": [whole(block["file"], block["vertices"], block["faces"]) for block in blocks],
-            "item": None if blocks else ["input", self._mesh.path, 0, self._mesh.faces + self._mesh.dropped],
+            "item": None if blocks else self._mesh.whole(),
             "target": self._aim.target,
-            "engine": vars(self._aim.engine),
+            "engine": vars(self._aim.engine if blocks else replace(self._aim.engine, face_area=0)),
             "effort": self._aim.effort,
             "avoid_crossings": self._aim.avoid_crossings,
             "measure": not blocks and self._aim.samples > 0,
             "shown": self._mesh.path,
             "file": "last.block",
         }
-        (answer,) = self._stages.do("last run", "last", [Task("last_run", arguments, last_memory(self._faces))])
+        memory = self._aim.sizes.last_memory(self._faces)
+        (answer,) = self._stages.do("last run", "last", [Task("last_run", arguments, memory)])
         return Simplified([answer], self._done, answer["report"])
 
     def _clear(self, number: int) -> None:
@@ -159,6 +162,8 @@ class _OneRound:
         else:
             row, wanted = self._find_cost(division, parts)
         files = self._collapse(division, parts, layout, wanted)
+        if self._aim.avoid_crossings:
+            row["self_intersections"] = sum(answer["self_intersections"] for answer in files)
         return {
             "kind": self._plan.kind,
             "before": self._faces,
@@ -212,7 +217,7 @@ class _OneRound:
                     "share": _SURVEYED * self._plan.goal / self._faces,
                     "shown": self._mesh.path,
                 },
-                block_memory(size // 4),
+                self._aim.sizes.block_memory(size // 4),
             )
             for block, size in enumerate(division.sizes)
         ]
@@ -229,7 +234,7 @@ class _OneRound:
         """The faces that each block keeps, at one cost."""
         share = _SURVEYED * self._plan.goal / self._faces
         tasks = [
-            Task("survey", {**self._of_block(block, parts, layout), "share": share}, block_memory(size))
+            Task("survey", {**self._of_block(block, parts, layout), "share": share}, self._aim.sizes.block_memory(size))
             for block, size in enumerate(division.sizes)
         ]
         surveys = self._stages.do("pilots", f"survey-{self._number}", tasks)
@@ -242,12 +247,13 @@ class _OneRound:
         sampled = self._number == 0 and self._aim.samples > 0
         tasks = []
         for block, size in enumerate(division.sizes):
-            asked = dict(wanted[block])
+            asked = wanted[block] | {"avoid_crossings": self._aim.avoid_crossings}
             if sampled:
                 asked |= {"sampled": f"{block}.points", "density": self._aim.samples / self._mesh.faces}
             arguments = self._of_block(block, parts, layout)
             arguments |= {"wanted": asked, "file": f"{self._number}.{block}.block"}
-            tasks.append(Task("collapse", arguments, block_memory(size, refined=asked["effort"] > 0)))
+            memory = self._aim.sizes.block_memory(size, refined=asked["effort"] > 0)
+            tasks.append(Task("collapse", arguments, memory))
         return self._stages.do("refine" if wanted[0]["effort"] else "collapse", f"collapse-{self._number}", tasks)
 
     def _of_block(self, block: int, parts: Parts, layout: str) -> dict[str, Any]:

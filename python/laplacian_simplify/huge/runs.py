@@ -35,6 +35,8 @@ _BYTES_A_FACE = {True: 25, False: 31}
 """On the disk, by whether coordinates have single precision: chunks, which stay for the comparison, with pilots."""
 _BYTES_A_FACE_LEFT = 2 * 34
 """Blocks of two rounds."""
+_BYTES_OF_COLORS, _BYTES_OF_COLORS_LEFT = 3, 2 * 9
+"""More of both where vertices have colors."""
 _TABLES = 64 << 20
 """Bytes of tables of cells, of one round at a time."""
 
@@ -57,7 +59,7 @@ def simplify_file(request: HugeRequest, progress: Progress) -> HugeReport:
     with ExitStack() as stack:
         workers = stack.enter_context(_workers(request, stack))
         memory = request.memory or workers.memory_of_one
-        sizes = sizes_for(memory, request.block_faces)
+        sizes = sizes_for(memory, request.block_faces, colored=source.colors > 0)
         work = stack.enter_context(_work_folder(request, target, sizes))
         stack.enter_context(_without_leftovers(work))
         _check_room(work, source, sizes, target)
@@ -94,6 +96,7 @@ class _Run:
             measured = edges_after(self._stages, done)
             names = ("hausdorff", "rms", "feature_rms", "boundary_edges_before", "non_manifold_edges_before")
             measured |= {name: done.report[name] for name in names if done.report and name in done.report}
+        measured |= _crossings(done)
         written = self._write(done)
         seconds, peak = self._stages.took()
         return HugeReport(
@@ -107,8 +110,18 @@ class _Run:
             processor_seconds=seconds | {"driver": time.process_time() - started[1]},
             peak_memory=peak,
             seconds=time.monotonic() - started[0],
-            notes=self._source.notes,
+            notes=[*self._source.notes, *self._doubts(done)],
         )
+
+    def _doubts(self, done: "Simplified") -> list[str]:
+        """Says which crossings nobody has counted."""
+        if not self._aim.avoid_crossings or not done.rounds:
+            return []
+        if done.report is None:
+            return ["the result was refined in blocks; faces of different blocks may cross, and were not counted"]
+        if crossing := done.report["self_intersections"]:
+            return [f"{crossing:,} pairs of faces cross; how many did in the input was not counted"]
+        return []
 
     def _stop_reason(self, done: "Simplified", faces: int) -> StopReason:
         if done.report is not None:
@@ -132,6 +145,12 @@ class _Run:
             self._stages.work.forget("write.0")  # what a stopped run has written is gone
             (answer,) = self._stages.do("write", "write", [Task("write_mesh", arguments, block_memory(most))])
         return {name: answer[name] for name in ("vertices", "faces")}
+
+
+def _crossings(done: "Simplified") -> dict[str, int]:
+    """Of a last run that had what was left of rounds, those before are not the input's."""
+    names = ("self_intersections",) if done.rounds else ("self_intersections", "self_intersections_before")
+    return {name: done.report[name] for name in names if done.report and name in done.report}
 
 
 def _check_output(output: Path) -> None:
@@ -166,7 +185,13 @@ def _aim(request: HugeRequest, target: int, sizes: Sizes) -> "Aim":
     from .rounds import Aim
 
     numbers = _numbers(request)
-    engine = Engine(numbers["feature_weight"], int(numbers["boundary"]), int(numbers["preserve_topology"]))
+    engine = Engine(
+        numbers["feature_weight"],
+        int(numbers["boundary"]),
+        int(numbers["preserve_topology"]),
+        keep_attributes=int(numbers["keep_attributes"]),
+        attribute_weight=numbers["attribute_weight"],
+    )
     return Aim(
         target,
         engine,
@@ -230,4 +255,6 @@ def _check_room(work: WorkFolder, source: Source, sizes: Sizes, target: int) -> 
     if source.faces <= sizes.last:
         return
     left = max(target * 3, min(sizes.last, source.faces // 2))
-    work.check_room(source.faces * _BYTES_A_FACE[source.single] + left * _BYTES_A_FACE_LEFT + _TABLES)
+    of_colors = (_BYTES_OF_COLORS, _BYTES_OF_COLORS_LEFT) if source.colors else (0, 0)
+    a_face, a_face_left = _BYTES_A_FACE[source.single] + of_colors[0], _BYTES_A_FACE_LEFT + of_colors[1]
+    work.check_room(source.faces * a_face + left * a_face_left + _TABLES)

@@ -10,6 +10,7 @@ import numpy as np
 
 from .array_file import Array, save_arrays
 from .chunk import Chunk
+from .colors import counted_area
 from .gather import Item, load
 from .grid import Grid, Layout, counted, paths_of
 
@@ -24,7 +25,8 @@ def count(folder: Path, item: Item, grid: Grid, level: int, inside: list[int], f
     if level > 0:
         places = places[np.isin(paths_of(places, level - 1), np.array(inside, np.int64))]
     written = save_arrays(folder / file, counted(paths_of(places, level)))
-    return {**written, "dropped": chunk.dropped, "read": chunk.checksum}
+    area = 0 if chunk.colors is None or level > 0 else counted_area(chunk.positions, chunk.triangles, grid.side)
+    return {**written, "dropped": chunk.dropped, "read": chunk.checksum, "area": area}
 
 
 def scatter(folder: Path, item: Item, grid: Grid, layout: str, pilots: bool, file: str) -> dict[str, Any]:
@@ -59,6 +61,7 @@ class _Writer:
     _ids: list[Array] = field(default_factory=list)
     _positions: list[Array] = field(default_factory=list)
     _triangles: list[Array] = field(default_factory=list)
+    _colors: list[Array] = field(default_factory=list)
     _foreign: dict[int, list[Array]] = field(default_factory=dict)
 
     def add(self, block: int, faces: Array) -> None:
@@ -91,6 +94,8 @@ class _Writer:
             "triangles": [none.triangles[:0], *self._triangles],
             "foreign": foreign,
         }
+        if none.colors is not None:
+            parts["colors"] = [none.colors[:0], *self._colors]
         return {name: np.concatenate(arrays) for name, arrays in parts.items()}
 
     def _put(self, number: int, faces: Array) -> Array:
@@ -106,4 +111,6 @@ class _Writer:
         self._ids.append(self.chunk.ids[used])
         self._positions.append(self.chunk.positions[used])
         self._triangles.append(place[triangles])
+        if self.chunk.colors is not None:
+            self._colors.append(self.chunk.colors[used])
         return used

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The input, read in chunks: what there is to do with any format."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -20,14 +20,17 @@ class Source(Protocol):
     """Rows of positions; of a format without a table of vertices, three a face."""
     single: bool
     """Whether coordinates are stored in single precision."""
+    colors: int
+    """Bytes that the color of a vertex has; 0: it has none."""
     notes: list[str]
     """What of it is passed over, for people."""
 
     def bounds(self, begin: int, end: int) -> Bounds:
         """The box of these rows of positions."""
 
-    def chunk(self, begin: int, end: int) -> Chunk:
-        """These faces."""
+    def chunk(self, begin: int, end: int, brightest: Sequence[float] = ()) -> Chunk:
+        """These faces. Colors that are real numbers are from 0 to 1 where the brightest of the whole file is not more,
+        as Bounds has it, and otherwise up to 255."""
 
 
 FORMATS: dict[str, Callable[[str], Source]] = {".ply": PlySource, ".stl": StlSource}

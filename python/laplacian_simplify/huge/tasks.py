@@ -22,7 +22,7 @@ Answer = dict[str, Any]
 def bounds(folder: Path, source: str, begin: int, end: int) -> Answer:  # noqa: ARG001
     """The box of some vertices of the input."""
     found = open_source(source).bounds(begin, end)
-    return {"low": found.low, "high": found.high, "read": found.checksum}
+    return {"low": found.low, "high": found.high, "read": found.checksum, "brightest": found.brightest}
 
 
 TASKS: dict[str, Callable[..., Answer]] = {

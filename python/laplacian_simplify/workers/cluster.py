@@ -19,6 +19,12 @@ from ..files.errors import MeshFileError, printable
 _SHARE_OF_MEMORY = 0.75
 _SECONDS_TO_CONNECT = 10
 _COMPARED = ("python", "distributed", "laplacian_simplify")
+_QUIET = {  # what Dask looks at many times a second, which takes a twelfth of a processor as long as a run lasts
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "500ms",
+    "distributed.admin.system-monitor.interval": "2s",
+    "distributed.admin.system-monitor.gil.enabled": False,
+}
 
 
 @dataclass(frozen=True)
@@ -45,7 +51,7 @@ def local_workers(count: int | None, scratch: str) -> Iterator[Workers]:
     They are threads, as the jobs are done in processes of their own.
     """
     count = count or CPU_COUNT
-    settings = {"temporary-directory": scratch, "distributed.scheduler.work-stealing": False}
+    settings = {"temporary-directory": scratch, "distributed.scheduler.work-stealing": False, **_QUIET}
     with (
         _silence(),
         dask.config.set(settings),
