@@ -107,7 +107,7 @@ def _signature(picture: Path) -> str:
 def running_display(log: Path) -> Iterator[Display]:
     """An X server with a window manager, on a display number that the server finds free itself."""
     reading, writing = os.pipe()
-    server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"]
+    server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1366x768x24", "-nolisten", "tcp", "-noreset"]
     with log.open("w") as output, ended_process(server, pass_fds=[writing], stdout=output, stderr=output):
         os.close(writing)
         with os.fdopen(reading) as answer:
