@@ -19,7 +19,8 @@
 #include <vcg/complex/complex.h>
 #include <vcg/complex/append.h>
 
-#include "filter_functions.h"
+#include "filter_decimate.h"
+#include "filter_levels.h"
 #include "test_meshes.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
 
@@ -95,16 +96,27 @@ class LayerHost
     void GeometryChanged() {}
     void Log(const std::string& line) { log.push_back(line); }
     bool Progress(int, const char*) const { return !stops; }
-
-    void Apply(std::map<std::string, GivenValue> values, FilterId filter = FilterId::GuidedDecimation)
-    {
-        ApplyFilter(filter, *this, [&](const Parameter& row) -> std::optional<GivenValue> {
-            const auto found = values.find(row.id);
-            if (found == values.end()) return std::nullopt;
-            return found->second;
-        });
-    }
 };
+
+using Given = std::map<std::string, GivenValue>;
+
+template <class Host>
+Values ValuesFor(FilterId filter, Host& host, const Given& given)
+{
+    return {filter, [&] { return FactsOf(host.Mesh()); },
+            [&](const Parameter& row) -> std::optional<GivenValue> {
+                const auto found = given.find(row.id);
+                if (found == given.end()) return std::nullopt;
+                return found->second;
+            }};
+}
+
+/// The guided decimation.
+template <class Host>
+void Apply(Host& host, const Given& given)
+{
+    ApplyGuidedDecimation(host, ValuesFor(FilterId::GuidedDecimation, host, given));
+}
 
 /// A sheet with bumps of many heights and an open border.
 test_meshes::IndexedMesh Bumps()
@@ -181,7 +193,6 @@ std::vector<double> QualityAndColor(const Mesh& mesh)
     return all;
 }
 
-using Given = std::map<std::string, GivenValue>;
 const Given kAsQuality = {{"target_percent", 15.0}, {"error_as_quality", 1.0}};
 
 Given Also(Given values, const std::string& id, double value)
@@ -197,7 +208,7 @@ void QualityIsTheDistance(const Given& values)
     if (values.count("selected_only") > 0)
         for (auto& face : host.Mesh().face)
             if (face.cP(0)[0] > 6) face.SetS();
-    host.Apply(values);
+    Apply(host, values);
     CompareWithDistances(host.Mesh(), before.Mesh());
 }
 
@@ -254,7 +265,7 @@ void TestErrorAsQuality::isTheDistanceInAHostOfDoublePrecision()
 void TestErrorAsQuality::isColoredFromRedToBlue()
 {
     LayerHost<SingleMesh> host(Bumps());
-    host.Apply(kAsQuality);
+    Apply(host, kAsQuality);
     const auto& vertices = host.Mesh().vert;
     const auto [least, largest] = std::minmax_element(
         vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.cQ() < b.cQ(); });
@@ -270,8 +281,8 @@ void TestErrorAsQuality::isColoredFromRedToBlue()
 void TestErrorAsQuality::doesNotChangeTheShape()
 {
     LayerHost<SingleMesh> with(Bumps()), without(Bumps());
-    with.Apply(kAsQuality);
-    without.Apply(Also(kAsQuality, "error_as_quality", 0));
+    Apply(with, kAsQuality);
+    Apply(without, Also(kAsQuality, "error_as_quality", 0));
     QVERIFY(Shape(with.Mesh()) == Shape(without.Mesh()));
 }
 
@@ -282,7 +293,7 @@ void TestErrorAsQuality::leavesQualityAndColorWhereItIsOff()
         v.Q() = 5;
         v.C() = vcg::Color4b(1, 2, 3, 255);
     }
-    host.Apply({{"target_percent", 15.0}});
+    Apply(host, {{"target_percent", 15.0}});
     for (const auto& v : host.Mesh().vert) {
         QCOMPARE(v.cQ(), 5.0F);
         QVERIFY(v.cC() == vcg::Color4b(1, 2, 3, 255));
@@ -294,7 +305,7 @@ void TestErrorAsQuality::replacesTheQualityOfTheOriginal()
 {
     LayerHost<SingleMesh> host(Bumps()), original(Bumps());
     for (auto& v : host.Mesh().vert) v.Q() = v.P()[0] * v.P()[1];
-    host.Apply(kAsQuality);
+    Apply(host, kAsQuality);
     CompareWithDistances(host.Mesh(), original.Mesh());
     bool guided = false;
     for (const std::string& line : host.log) guided |= line.find("Attributes, rms difference: ") == 0;
@@ -314,7 +325,7 @@ void TestErrorAsQuality::isZeroOutsideTheSelection()
     }
     for (std::size_t v = 0; v < outside.size(); ++v)
         if (outside[v]) host.Mesh().vert[v].SetS(); // survivors keep the flag
-    host.Apply(kAsQuality);
+    Apply(host, kAsQuality);
     int found = 0;
     for (const auto& v : host.Mesh().vert) {
         if (!v.IsS()) continue;
@@ -331,7 +342,7 @@ void TestErrorAsQuality::isZeroAndRedWhereNothingIsToBeDone()
     host.Mesh().vert.back().P()[0] = std::numeric_limits<float>::quiet_NaN(); // of a deleted vertex
     vcg::tri::Allocator<SingleMesh>::DeleteVertex(host.Mesh(), host.Mesh().vert.back());
     for (auto& v : host.Mesh().vert) v.Q() = 5;
-    host.Apply(Also(kAsQuality, "target_percent", 100));
+    Apply(host, Also(kAsQuality, "target_percent", 100));
     for (const auto& v : host.Mesh().vert) {
         if (v.IsD()) continue;
         QCOMPARE(v.cQ(), 0.0F);
@@ -345,7 +356,7 @@ void TestErrorAsQuality::isNotThereAfterAStop()
     for (auto& v : host.Mesh().vert) v.Q() = 5;
     host.stops = true;
     const auto before = QualityAndColor(host.Mesh());
-    host.Apply(kAsQuality);
+    Apply(host, kAsQuality);
     QVERIFY(QualityAndColor(host.Mesh()) == before);
     QCOMPARE(host.log.size(), std::size_t{1}); // canceled, and no range
 }
@@ -353,8 +364,8 @@ void TestErrorAsQuality::isNotThereAfterAStop()
 void TestErrorAsQuality::doesNotDependOnThreads()
 {
     LayerHost<DoubleMesh> one(Bumps()), three(Bumps());
-    one.Apply(Also(kAsQuality, "threads", 1));
-    three.Apply(Also(kAsQuality, "threads", 3));
+    Apply(one, Also(kAsQuality, "threads", 1));
+    Apply(three, Also(kAsQuality, "threads", 3));
     QVERIFY(Shape(one.Mesh()) == Shape(three.Mesh()));
     QVERIFY(QualityAndColor(one.Mesh()) == QualityAndColor(three.Mesh()));
 }
@@ -362,7 +373,7 @@ void TestErrorAsQuality::doesNotDependOnThreads()
 void TestErrorAsQuality::isToldWithItsRange()
 {
     LayerHost<DoubleMesh> host(Bumps());
-    host.Apply(Also(kAsQuality, "boundary", 2)); // the border stays: the least distance is 0
+    Apply(host, Also(kAsQuality, "boundary", 2)); // the border stays: the least distance is 0
     QCOMPARE(QString::fromStdString(host.log.back()),
              QString("Distance of the vertices to the original, as quality: from 0 to %1 in the unit of the mesh")
                  .arg(QString::fromStdString(RoundedText(LargestQuality(host.Mesh()), 4))));
@@ -370,8 +381,9 @@ void TestErrorAsQuality::isToldWithItsRange()
 
 void TestErrorAsQuality::ofLevelsIsToTheOriginal()
 {
-    LayerHost<DoubleMesh> host(Bumps());
-    host.Apply({{"percents", std::string("40,10")}, {"error_as_quality", 1.0}}, FilterId::LevelsOfDetail);
+    LayerHost<SingleMesh> host(Bumps());
+    const Given given = {{"percents", std::string("40,10")}, {"error_as_quality", 1.0}};
+    ApplyLevelsOfDetail(host, ValuesFor(FilterId::LevelsOfDetail, host, given));
     for (const std::size_t i : {1U, 2U}) CompareWithDistances(host.Layer(i), host.Layer(0));
     QVERIFY(host.log.back().find("10%: Distance of the vertices to the original") == 0);
 }

@@ -7,15 +7,18 @@ The pictures stay in build/screenshots, for whoever wants to see the dialogs.
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from display import Display, ended_process, wait_for
+from display import SCREEN, Display, ended_process, wait_for
 from host_programs import PROJECT, HostProgram
 from mesh_checks import EXPECTATIONS
 
@@ -24,20 +27,68 @@ VERSIONS = ["2020.09", "2022.02", "2025.07"]
 START_SECONDS = 60
 ANSWER_SECONDS = 10
 APPLY_SECONDS = 60
+LOOK_SECONDS = 0.3  # longer than the probe waits between two looks
+
+
+@dataclass(frozen=True)
+class Widget:
+    """What a person reads or uses in a dialog, in pixels of the screen; a part of it may be cut off."""
+
+    kind: str
+    text: str
+    tooltip: str
+    left: int
+    top: int
+    width: int
+    height: int
+    needs_width: int
+    needs_height: int
+    is_cut: bool
+
+    @property
+    def middle(self) -> tuple[int, int]:
+        return self.left + self.width // 2, self.top + self.height // 2
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all of it is there, on the screen, and its text has the space that it needs."""
+        right, bottom = self.left + self.width, self.top + self.height
+        on_screen = self.left >= 0 and self.top >= 0 and right <= SCREEN[0] and bottom <= SCREEN[1]
+        return on_screen and not self.is_cut and self.width >= self.needs_width and self.height >= self.needs_height
 
 
 class MeshLabWindow:
     """A running MeshLab with an opened mesh."""
 
-    def __init__(self, display: Display, version: str, log: Path) -> None:
+    def __init__(self, display: Display, version: str, log: Path, probe: Path) -> None:
         self._display = display
         self._log = log
+        self._probe = probe
         self._main = display.wait_for_window(f"^MeshLab {version}", START_SECONDS)
         wait_for(lambda: "All files opened" in self.log(), START_SECONDS, "the mesh")
 
     def log(self) -> str:
         """All that MeshLab has said so far."""
         return self._log.read_text(errors="replace")
+
+    def _shown(self, is_there: Callable[[dict], bool], what: str) -> dict:
+        """What dialog_probe.cpp sees, once it is there and two looks saw the same."""
+        looks: list[dict] = [{}]
+
+        def settled() -> bool:
+            time.sleep(LOOK_SECONDS)
+            looks.append(json.loads(self._probe.read_text()) if self._probe.exists() else {})
+            return looks[-1] != {} and looks[-1] == looks[-2] and is_there(looks[-1])
+
+        wait_for(settled, ANSWER_SECONDS, what)
+        return looks[-1]
+
+    def open_search(self, words: str) -> list[str]:
+        """Types into MeshLab's search and returns what it lists."""
+        self._display.activate(self._main)
+        self._display.keys("Escape", "ctrl+f")
+        self._display.type(words)
+        return self._shown(lambda shown: any(shown["menu"]), f"what is found by {words}")["menu"]
 
     def open_dialog(self, name: str) -> str:
         """Finds the filter by Ctrl+F and returns its dialog. Asks again where the window was not listening yet."""
@@ -53,21 +104,49 @@ class MeshLabWindow:
                     raise
         raise AssertionError("unreachable")
 
-    def apply(self, dialog: str) -> None:
-        """Clicks on Apply, which is at the lower right of every dialog, and waits for the filter to end."""
-        left, top, width, height = self._display.geometry(dialog)
-        self._display.click(left + width * 3 // 4, top + height - 22)
+    def widgets(self, name: str) -> list[Widget]:
+        """Those of the open dialog of that name."""
+        shown = self._shown(lambda shown: shown["title"] == name, f"the dialog {name}")
+        return [
+            Widget(
+                row["class"],
+                row["text"],
+                row["tooltip"],
+                row["x"],
+                row["y"],
+                row["width"],
+                row["height"],
+                row["needs_width"],
+                row["needs_height"],
+                row["is_cut"],
+            )
+            for row in shown["widgets"]
+        ]
+
+    def click(self, name: str, text: str) -> None:
+        """Clicks on the button, check box or label with that text in the open dialog."""
+        (widget,) = [widget for widget in self.widgets(name) if widget.text == text]
+        self._display.click(*widget.middle)
+
+    def apply(self, name: str) -> None:
+        """Clicks on Apply and waits for the filter to end."""
+        self.click(name, "Apply")
         wait_for(lambda: "Applied filter" in self.log(), APPLY_SECONDS, "the end of the filter")
 
 
 @contextmanager
 def opened_mesh(host: HostProgram, display: Display, mesh: Path, log: Path) -> Iterator[MeshLabWindow]:
     command = host.command("meshlab", mesh)
+    probe = log.with_suffix(".json")
+    environment = host.environment(display.name) | {
+        "QT_QPA_GENERIC_PLUGINS": "dialog_probe",
+        "DIALOG_PROBE": str(probe),
+    }
     with (
         log.open("w") as output,
-        ended_process(command, env=host.environment(display.name), stdout=output, stderr=output) as process,
+        ended_process(command, env=environment, stdout=output, stderr=output) as process,
     ):
-        yield MeshLabWindow(display, host.version, log)
+        yield MeshLabWindow(display, host.version, log, probe)
         assert process.poll() is None, "MeshLab is still running"
 
 
