@@ -124,9 +124,17 @@ class MeshLabWindow:
         ]
 
     def click(self, name: str, text: str) -> None:
-        """Clicks on the button, check box or label with that text in the open dialog."""
+        """Clicks on the button with that text in the open dialog."""
         (widget,) = [widget for widget in self.widgets(name) if widget.text == text]
         self._display.click(*widget.middle)
+
+    def tick(self, name: str, text: str) -> None:
+        """Clicks on the check box: it has the text itself, or is beside a label that has it."""
+        widgets = self.widgets(name)
+        (label,) = [widget for widget in widgets if widget.text == text]
+        beside = [box for box in widgets if box.kind == "QCheckBox" and abs(box.middle[1] - label.middle[1]) < 5]
+        (box,) = beside
+        self._display.click(box.left + 8, box.middle[1])
 
     def apply(self, name: str) -> None:
         """Clicks on Apply and waits for the filter to end."""
@@ -157,6 +165,19 @@ def colours(picture: Path, left: int, top: int, width: int, height: int) -> int:
     return int(subprocess.run(command, check=True, capture_output=True, text=True, timeout=60).stdout)
 
 
+def saturation(picture: Path, left: int, top: int, width: int, height: int) -> float:
+    """The mean of how colorful a part of the picture is, from 0, gray, to 1."""
+    crop = f"{width}x{height}+{left}+{top}"
+    command = ["convert", str(picture), "-crop", crop, "+repage", "-colorspace", "HSL", "-channel", "G", "-separate"]
+    command += ["-format", "%[fx:mean]", "info:"]
+    return float(subprocess.run(command, check=True, capture_output=True, text=True, timeout=60).stdout)
+
+
+def cut_off(widgets: list[Widget]) -> list[str]:
+    """The widgets that a person does not see or read as a whole."""
+    return [f"{widget.kind} {widget.text}: {widget}" for widget in widgets if not widget.is_whole]
+
+
 @pytest.mark.parametrize("version", VERSIONS)
 def test_dialog(
     version: str,
@@ -166,13 +187,72 @@ def test_dialog(
     part: Path,
     tmp_path: Path,
 ) -> None:
+    """It fits on the screen, shows what it is about and what its parameters are, and does it by a click."""
+    name = filter_row["name"]
     picture = SCREENSHOTS / f"{version}-{filter_row['id']}.png"
     with opened_mesh(installed_host(version), display, part, tmp_path / "meshlab.log") as meshlab:
-        dialog = meshlab.open_dialog(filter_row["name"])
+        dialog = meshlab.open_dialog(name)
+        widgets = meshlab.widgets(name)
         geometry = display.geometry(dialog)
-        meshlab.apply(dialog)
         display.screenshot(picture)
-        assert f"{filter_row['name']} in " in meshlab.log()
+        meshlab.apply(name)
+        assert f"{name} in " in meshlab.log()
         assert re.search(EXPECTATIONS[filter_row["id"]].log_of_defaults, meshlab.log()), meshlab.log()
     assert colours(picture, *geometry) > 50, "the dialog was drawn"
-    assert colours(picture, 100, 200, 500, 500) > 50, "the mesh was drawn"
+    assert colours(picture, 100, 200, 300, 400) > 50, "the mesh was drawn"
+    left, top, width, height = geometry
+    assert left >= 0
+    assert top >= 0
+    assert left + width <= SCREEN[0]
+    assert top + height <= SCREEN[1]
+    assert cut_off(widgets) == []
+    texts = [widget.text for widget in widgets]
+    hidden = version != "2020.09"  # later ones have a button for what is rarely used
+    for row in filter_row["parameters"]:
+        assert (row["label"] in texts) == (not (hidden and row["advanced"])), row["label"]
+    sliders = [row for row in filter_row["parameters"] if row["slider"] and not (hidden and row["advanced"])]
+    assert [widget.kind for widget in widgets].count("QSlider") == len(sliders)
+    tooltips = {widget.tooltip for widget in widgets if widget.text in {row["label"] for row in filter_row["parameters"]}}
+    assert all(tooltip.startswith("<span>") for tooltip in tooltips), "HTML: hosts wrap no other"
+
+
+@pytest.mark.parametrize("words", ["decimation", "simplif"])
+@pytest.mark.parametrize("version", VERSIONS)
+def test_search(
+    version: str,
+    words: str,
+    filters: list[dict],
+    display: Display,
+    installed_host: Callable[[str], HostProgram],
+    part: Path,
+    tmp_path: Path,
+) -> None:
+    """The decimations are among what MeshLab lists for the words that people know them by."""
+    with opened_mesh(installed_host(version), display, part, tmp_path / "meshlab.log") as meshlab:
+        found = meshlab.open_search(words)
+    for row in filters:
+        if row["name"].startswith("Simplification: "):
+            assert row["name"] in found
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_new_layer_colored_by_its_error(
+    version: str,
+    filters: list[dict],
+    display: Display,
+    installed_host: Callable[[str], HostProgram],
+    part: Path,
+    tmp_path: Path,
+) -> None:
+    """It is shown in colors, and the original, gray, is hidden."""
+    name = next(row["name"] for row in filters if row["id"] == "simplify")
+    picture = SCREENSHOTS / f"{version}-error-as-quality.png"
+    with opened_mesh(installed_host(version), display, part, tmp_path / "meshlab.log") as meshlab:
+        meshlab.open_dialog(name)
+        meshlab.tick(name, "New layer")
+        meshlab.tick(name, "Error as quality")
+        meshlab.apply(name)
+        meshlab.click(name, "Close")
+        display.screenshot(picture)
+        assert "as quality: from 0 to " in meshlab.log()
+    assert saturation(picture, 200, 200, 600, 400) > 0.3
