@@ -28,7 +28,8 @@ std::array<double, 3> PositionOf(const Vertex& vertex)
             static_cast<double>(vertex.cP()[2])};
 }
 
-/// Remembers the surface of a mesh: the distance of a result to it becomes the quality of the result's vertices.
+/// Remembers the surface of a mesh: the distance of a result to it becomes the quality of the result's
+/// vertices.
 class ErrorAsQuality
 {
     std::vector<std::array<double, 3>> positions_;
@@ -59,8 +60,8 @@ class ErrorAsQuality
         for (const auto& vertex : original.vert) positions_.push_back(PositionOf(vertex));
     }
 
-    /// Overwrites quality and color of the current mesh: red is the least distance, blue the largest, as of MeshLab's
-    /// Hausdorff Distance. \return a line for the log
+    /// Overwrites quality and color of the current mesh: red is the least distance, blue the largest, as of
+    /// MeshLab's Hausdorff Distance. \return a line for the log
     template <class Host>
     std::string Store(Host& host) const
     {
@@ -82,8 +83,8 @@ class ErrorAsQuality
             if (inScope[v]) values[v] = distances[next++];
         host.Require(kVertexQuality | kVertexColor);
         StoreAsQuality(mesh, values, inScope, colors);
-        return "Distance of the vertices to the original, as quality: from " + RoundedText(*least, 4) + " to " +
-               RoundedText(*largest, 4) + " in the unit of the mesh";
+        return "Distance of the vertices to the original, as quality: from " + RoundedText(*least, 4) +
+               " to " + RoundedText(*largest, 4) + " in the unit of the mesh";
     }
 };
 

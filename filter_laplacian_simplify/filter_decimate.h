@@ -215,9 +215,9 @@ template <class Host>
 Report ApplyGuidedDecimation(Host& host, const Values& values)
 {
     vcg_ext::MeshDecimationParameters parameters = GuidedParameters(host, values);
-    const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
-                                  parameters.maxError > 0, parameters.cleanInput,
-                                  values.Boolean("error_as_quality"), parameters.threads};
+    const DecimationWishes wishes{
+        parameters.measureError, values.Boolean("new_layer"),        parameters.maxError > 0,
+        parameters.cleanInput,   values.Boolean("error_as_quality"), parameters.threads};
     return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {
         using Mesh = typename Host::MeshType;
         parameters.targetFaces = target;

@@ -37,12 +37,12 @@ enum class Category { Selection, Remeshing, Smoothing, Quality, VertexColoring }
 /// Everything that hosts, commands and pages show of a filter. Every filter works on the current mesh.
 struct Filter {
     FilterId id;
-    const char* key;                     ///< short name in snake_case, for the command line and for tests
-    const char* name;                    ///< in menus and .mlx scripts; never changes after a release
-    const char* pythonName;              ///< in pymeshlab; never changes after a release
-    const char* summary;                 ///< one sentence
-    const char* note;                    ///< what else its dialog says: a line, as dialogs must fit on small screens
-    const char* help;                    ///< the rest, for pages, in simple HTML
+    const char* key;        ///< short name in snake_case, for the command line and for tests
+    const char* name;       ///< in menus and .mlx scripts; never changes after a release
+    const char* pythonName; ///< in pymeshlab; never changes after a release
+    const char* summary;    ///< one sentence
+    const char* note;       ///< what else its dialog says: a line, as dialogs must fit on small screens
+    const char* help;       ///< the rest, for pages, in simple HTML
     std::vector<const char*> references; ///< literature, each entry in simple HTML
     std::vector<Category> categories;
     std::uint32_t changes; ///< MeshData that may differ afterward

@@ -81,7 +81,8 @@ double DefaultOf(const Parameter& parameter, const Facts& facts)
     return parameter.Default(parameter.defaultValue.onMesh ? facts() : MeshFacts{});
 }
 
-/// The table of parameters, in the order of the dialogs: what is rarely used comes last. No filter has two of the same id.
+/// The table of parameters, in the order of the dialogs: what is rarely used comes last. No filter has two of
+/// the same id.
 const std::vector<Parameter>& Parameters();
 
 /// The rows of one filter.

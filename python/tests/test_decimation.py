@@ -101,7 +101,12 @@ def test_the_error_as_quality_is_the_distance_to_the_original(options: dict, loa
 
 def test_the_error_as_quality_changes_nothing_else(load_sample) -> None:
     outcomes = []
-    for options in ({}, {"error_as_quality": False}, {"error_as_quality": True, "threads": 1}, {"error_as_quality": True}):
+    for options in (
+        {},
+        {"error_as_quality": False},
+        {"error_as_quality": True, "threads": 1},
+        {"error_as_quality": True},
+    ):
         mesh_set = load_sample("flange.ply")
         ls.simplify(mesh_set, target_percent=10, **options)
         mesh = mesh_set.current_mesh()

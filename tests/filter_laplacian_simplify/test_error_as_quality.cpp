@@ -31,8 +31,7 @@ namespace
 
 class SingleVertex;
 class SingleFace;
-struct SingleTypes
-    : vcg::UsedTypes<vcg::Use<SingleVertex>::AsVertexType, vcg::Use<SingleFace>::AsFaceType> {
+struct SingleTypes : vcg::UsedTypes<vcg::Use<SingleVertex>::AsVertexType, vcg::Use<SingleFace>::AsFaceType> {
 };
 class SingleVertex : public vcg::Vertex<SingleTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
                                         vcg::vertex::Qualityf, vcg::vertex::Color4b, vcg::vertex::BitFlags>
@@ -48,8 +47,7 @@ class SingleMesh : public vcg::tri::TriMesh<std::vector<SingleVertex>, std::vect
 
 class DoubleVertex;
 class DoubleFace;
-struct DoubleTypes
-    : vcg::UsedTypes<vcg::Use<DoubleVertex>::AsVertexType, vcg::Use<DoubleFace>::AsFaceType> {
+struct DoubleTypes : vcg::UsedTypes<vcg::Use<DoubleVertex>::AsVertexType, vcg::Use<DoubleFace>::AsFaceType> {
 };
 class DoubleVertex : public vcg::Vertex<DoubleTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
                                         vcg::vertex::Qualityd, vcg::vertex::Color4b, vcg::vertex::BitFlags>
@@ -177,8 +175,7 @@ std::vector<double> Shape(const Mesh& mesh)
     for (const auto& v : mesh.vert)
         for (int k = 0; k < 3; ++k) all.push_back(static_cast<double>(v.cP()[k]));
     for (const auto& face : mesh.face)
-        for (int k = 0; k < 3; ++k)
-            all.push_back(static_cast<double>(vcg::tri::Index(mesh, face.cV(k))));
+        for (int k = 0; k < 3; ++k) all.push_back(static_cast<double>(vcg::tri::Index(mesh, face.cV(k))));
     return all;
 }
 
@@ -374,9 +371,10 @@ void TestErrorAsQuality::isToldWithItsRange()
 {
     LayerHost<DoubleMesh> host(Bumps());
     Apply(host, Also(kAsQuality, "boundary", 2)); // the border stays: the least distance is 0
-    QCOMPARE(QString::fromStdString(host.log.back()),
-             QString("Distance of the vertices to the original, as quality: from 0 to %1 in the unit of the mesh")
-                 .arg(QString::fromStdString(RoundedText(LargestQuality(host.Mesh()), 4))));
+    QCOMPARE(
+        QString::fromStdString(host.log.back()),
+        QString("Distance of the vertices to the original, as quality: from 0 to %1 in the unit of the mesh")
+            .arg(QString::fromStdString(RoundedText(LargestQuality(host.Mesh()), 4))));
 }
 
 void TestErrorAsQuality::ofLevelsIsToTheOriginal()

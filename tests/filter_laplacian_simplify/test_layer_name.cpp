@@ -18,16 +18,26 @@ class TestLayerName : public QObject
     {
         QTest::addColumn<QString>("original");
         QTest::addColumn<QString>("label");
-        QTest::addRow("file") << "flange.ply" << "flange_simplified.ply";
-        QTest::addRow("digit first") << "part.3mf" << "part_simplified.3mf";
-        QTest::addRow("dots") << "part.v2.PLY" << "part.v2_simplified.PLY";
-        QTest::addRow("no extension") << "Box" << "Box_simplified";
-        QTest::addRow("number") << "error 0.5" << "error 0.5_simplified";
-        QTest::addRow("percent") << "error 0.5%" << "error 0.5%_simplified";
-        QTest::addRow("sentence") << "Dr. Smith's part" << "Dr. Smith's part_simplified";
-        QTest::addRow("hidden file") << ".ply" << ".ply_simplified";
-        QTest::addRow("dot last") << "part." << "part._simplified";
-        QTest::addRow("empty") << "" << "_simplified";
+        QTest::addRow("file") << "flange.ply"
+                              << "flange_simplified.ply";
+        QTest::addRow("digit first") << "part.3mf"
+                                     << "part_simplified.3mf";
+        QTest::addRow("dots") << "part.v2.PLY"
+                              << "part.v2_simplified.PLY";
+        QTest::addRow("no extension") << "Box"
+                                      << "Box_simplified";
+        QTest::addRow("number") << "error 0.5"
+                                << "error 0.5_simplified";
+        QTest::addRow("percent") << "error 0.5%"
+                                 << "error 0.5%_simplified";
+        QTest::addRow("sentence") << "Dr. Smith's part"
+                                  << "Dr. Smith's part_simplified";
+        QTest::addRow("hidden file") << ".ply"
+                                     << ".ply_simplified";
+        QTest::addRow("dot last") << "part."
+                                  << "part._simplified";
+        QTest::addRow("empty") << ""
+                               << "_simplified";
         QTest::addRow("UTF-8") << QString::fromUtf8("Bär.ply") << QString::fromUtf8("Bär_simplified.ply");
     }
     void aLabelKeepsItsExtension()

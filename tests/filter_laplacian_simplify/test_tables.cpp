@@ -136,7 +136,8 @@ void TestTables::filterNamesFitIntoMenusAndPython()
     }
 }
 
-/// MeshLab's dialogs show the description above the parameters, on screens of 768 lines: two of them are for it.
+/// MeshLab's dialogs show the description above the parameters, on screens of 768 lines: two of them are for
+/// it.
 void TestTables::descriptionsAreTwoLines()
 {
     constexpr int kLine = 110; // about what stands in 590 pixels
@@ -190,10 +191,18 @@ void TestTables::parameterIdsAreThoseOfTheContract_data()
                                                                          "class_as_quality"};
     const QStringList ofBoth{"max_error", "feature_weight",  "effort",
                              "boundary",  "keep_attributes", "selected_only"};
-    const QStringList lastOfBoth{"error_as_quality", "measure_error",          "descriptor",
-                                 "attribute_weight", "seams",                  "preserve_topology",
-                                 "lock_selected_vertices", "avoid_self_intersections", "clean_input",
-                                 "weld_distance",    "order",                  "threads"};
+    const QStringList lastOfBoth{"error_as_quality",
+                                 "measure_error",
+                                 "descriptor",
+                                 "attribute_weight",
+                                 "seams",
+                                 "preserve_topology",
+                                 "lock_selected_vertices",
+                                 "avoid_self_intersections",
+                                 "clean_input",
+                                 "weld_distance",
+                                 "order",
+                                 "threads"};
     QTest::addRow("guided") << FilterId::GuidedDecimation
                             << QStringList{"target_faces", "target_percent"} + ofBoth +
                                    QStringList{"new_layer"} + lastOfBoth;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Qt plugin that tells a test what MeshLab shows: QT_QPA_GENERIC_PLUGINS=dialog_probe loads it into a program,
-// and the file of the environment variable DIALOG_PROBE then always holds what the floating dialog and the open menu
-// show, as JSON: {"title": ..., "widgets": [{"class", "text", "tooltip", "x", "y", "width", "height", "needs_width",
-// "needs_height", "is_cut"}], "menu": [...]}, in pixels of the screen.
+// A Qt plugin that tells a test what MeshLab shows: QT_QPA_GENERIC_PLUGINS=dialog_probe loads it into a
+// program, and the file of the environment variable DIALOG_PROBE then always holds what the floating dialog
+// and the open menu show, as JSON: {"title": ..., "widgets": [{"class", "text", "tooltip", "x", "y", "width",
+// "height", "needs_width", "needs_height", "is_cut"}], "menu": [...]}, in pixels of the screen.
 
 #include <QApplication>
 #include <QCheckBox>
@@ -45,7 +45,8 @@ bool IsForPeople(const QWidget& widget)
 /// Of its text: lines break where they may, so the height depends on the width.
 QSize NeededSize(const QWidget& widget)
 {
-    if (widget.hasHeightForWidth()) return {widget.minimumSizeHint().width(), widget.heightForWidth(widget.width())};
+    if (widget.hasHeightForWidth())
+        return {widget.minimumSizeHint().width(), widget.heightForWidth(widget.width())};
     return widget.minimumSizeHint();
 }
 

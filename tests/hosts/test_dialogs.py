@@ -212,7 +212,9 @@ def test_dialog(
         assert (row["label"] in texts) == (not (hidden and row["advanced"])), row["label"]
     sliders = [row for row in filter_row["parameters"] if row["slider"] and not (hidden and row["advanced"])]
     assert [widget.kind for widget in widgets].count("QSlider") == len(sliders)
-    tooltips = {widget.tooltip for widget in widgets if widget.text in {row["label"] for row in filter_row["parameters"]}}
+    tooltips = {
+        widget.tooltip for widget in widgets if widget.text in {row["label"] for row in filter_row["parameters"]}
+    }
     assert all(tooltip.startswith("<span>") for tooltip in tooltips), "HTML: hosts wrap no other"
 
 

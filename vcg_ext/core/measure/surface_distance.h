@@ -18,7 +18,8 @@
 namespace vcg_ext
 {
 
-/// Distances of points to the surface of a mesh, each to its exact closest point, in the unit of the coordinates.
+/// Distances of points to the surface of a mesh, each to its exact closest point, in the unit of the
+/// coordinates.
 class SurfaceDistance
 {
     static constexpr std::size_t kGrain = 1024; ///< points that one thread measures at a time
@@ -57,7 +58,8 @@ class SurfaceDistance
         ParallelRanges(threads_, points.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
             ExactSurface::Search search;
             for (std::size_t i = begin; i < end; ++i)
-                distances[i] = frame.unit * std::sqrt(surface.Distance2(frame.Into<double>(points[i]), search));
+                distances[i] =
+                    frame.unit * std::sqrt(surface.Distance2(frame.Into<double>(points[i]), search));
         });
         return distances;
     }
