@@ -13,8 +13,10 @@
 
 #include "filters.h"
 #include "number_text.h"
+#include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/measure/surface_distance.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vertex_quality.h"
 
@@ -48,6 +50,13 @@ class ErrorAsQuality
         return view;
     }
 
+    /// A shorter distance is rounding, and all colors of the ramp would tell of nothing else.
+    static double Visible(const vcg_ext::MeshView& view)
+    {
+        constexpr double kRounding = 1e-6; // of the diagonal: that of single precision, a few times
+        return kRounding * vcg_ext::kFrameDiagonal * vcg_ext::FrameOf(view).unit;
+    }
+
   public:
     /// \param original may change and go afterward \pre a face; finite positions
     template <class Mesh>
@@ -61,7 +70,7 @@ class ErrorAsQuality
     }
 
     /// Overwrites quality and color of the current mesh: red is the least distance, blue the largest, as of
-    /// MeshLab's Hausdorff Distance. \return a line for the log
+    /// MeshLab's Hausdorff Distance, where that is no rounding. \return a line for the log
     template <class Host>
     std::string Store(Host& host) const
     {
@@ -75,8 +84,7 @@ class ErrorAsQuality
         const vcg_ext::MeshView view = View();
         const std::vector<double> distances = vcg_ext::SurfaceDistance(view, threads_).Of(points);
         const auto [least, largest] = std::minmax_element(distances.begin(), distances.end());
-        ColorRange colors{*least, *largest};
-        if (!(colors.red < colors.blue)) colors.blue = colors.red + 1; // all red, as nothing is far
+        const ColorRange colors{*least, std::max(*largest, *least + Visible(view))};
         std::vector<double> values(mesh.vert.size());
         std::size_t next = 0;
         for (std::size_t v = 0; v < values.size(); ++v)

@@ -43,7 +43,7 @@ const std::vector<Filter>& Filters()
          "Laplacian Shape Descriptor",
          "compute_scalar_by_laplacian_descriptor_per_vertex",
          "Stores in the vertex quality how strongly each vertex deviates from its neighbors.",
-         "0 where the surface is flat, toward 1 on creases and corners (Zhang et al., PCM 2012).",
+         "0 where the surface is flat, toward 1 on creases and corners.",
          "The Laplacian descriptor is 0 where the surface is flat and grows toward 1 on creases, corners and "
          "fine details. It is the mean of the edge vectors at a vertex, measured along the vertex normal and "
          "divided by the mean edge length, so it does not depend on the size of the mesh. Curvatures are "
@@ -56,7 +56,7 @@ const std::vector<Filter>& Filters()
          "Select Feature Vertices by Laplacian Descriptor",
          "compute_selection_by_laplacian_descriptor_per_vertex",
          "Selects the vertices on creases, corners and fine details by clustering a shape descriptor.",
-         "The current vertex selection is replaced (Zhang et al., PCM 2012).",
+         "The current vertex selection is replaced.",
          "One-dimensional k-means divides the descriptor values into classes (the global optimum, not a "
          "local one). The vertices of the highest classes are selected; the current vertex selection is "
          "replaced. Two classes find the sharp edges of mechanical parts. On natural shapes the boundary "
@@ -109,7 +109,7 @@ const std::vector<Filter>& Filters()
          "Umbrella Smooth (Uniform, Scale- or Normal-Dependent)",
          "apply_coord_umbrella_smoothing",
          "Moves each vertex toward the mean of its neighbors, with one of three umbrella operators.",
-         "The normal-dependent one leaves flat regions exactly where they are (Desbrun et al., SIGGRAPH 1999).",
+         "The normal-dependent one leaves flat regions as they are.",
          "The uniform operator uses the plain mean. The scale-dependent operator weights each neighbor by "
          "the inverse of its distance. The normal-dependent operator moves vertices along their normals "
          "only, which leaves flat regions exactly where they are.",

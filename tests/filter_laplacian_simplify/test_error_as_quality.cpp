@@ -234,6 +234,7 @@ class TestErrorAsQuality : public QObject
     void isTheDistanceInAHostOfDoublePrecision_data() { EveryWay(); }
     void isTheDistanceInAHostOfDoublePrecision();
     void isColoredFromRedToBlue();
+    void roundingIsRed();
     void doesNotChangeTheShape();
     void leavesQualityAndColorWhereItIsOff();
     void replacesTheQualityOfTheOriginal();
@@ -294,6 +295,17 @@ void TestErrorAsQuality::leavesQualityAndColorWhereItIsOff()
     for (const auto& v : host.Mesh().vert) {
         QCOMPARE(v.cQ(), 5.0F);
         QVERIFY(v.cC() == vcg::Color4b(1, 2, 3, 255));
+    }
+}
+
+/// A plane stays one, but for rounding: nothing of that is shown as an error.
+void TestErrorAsQuality::roundingIsRed()
+{
+    LayerHost<SingleMesh> host(test_meshes::Moved(test_meshes::Grid(24, 24), 0.4, 1, {3, 2, 1}));
+    Apply(host, kAsQuality);
+    for (const auto& v : host.Mesh().vert) {
+        QVERIFY(v.cQ() < 1e-5F); // of coordinates up to 30
+        QVERIFY(v.cC()[0] == 255 && v.cC()[2] == 0 && v.cC()[1] < 128);
     }
 }
 
