@@ -68,8 +68,8 @@ const std::vector<Filter>& Filters()
          "simplify",
          "Simplification: Laplacian-Guided Quadric Edge Collapse",
          "meshing_decimation_laplacian_quadric_edge_collapse",
-         "Simplifies a mesh (decimation) and preserves creases, corners and fine details as long as possible.",
-         "Textures, colors and quality are kept. The log tells how far the result is from the original.",
+         "Simplifies a mesh (decimation) and keeps creases, corners and fine details longest.",
+         "", // its dialog is the longest, and 2020.09 has no scroll bar
          "Edges collapse in the order of their quadric error. Collapses near features cost more; \"Feature "
          "weight\" sets how much. No collapse turns a face by more than 78 degrees or creates a non-manifold "
          "edge. The result is bit-identical for any number of threads. If the target cannot be reached, the "
@@ -135,7 +135,7 @@ std::string References(const Filter& filter)
 
 std::string Description(const Filter& filter)
 {
-    return std::string(filter.summary) + "<br/>" + filter.note;
+    return filter.summary + std::string(*filter.note ? "<br/>" : "") + filter.note;
 }
 
 } // namespace laplacian_simplify

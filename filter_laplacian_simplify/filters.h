@@ -41,8 +41,8 @@ struct Filter {
     const char* name;       ///< in menus and .mlx scripts; never changes after a release
     const char* pythonName; ///< in pymeshlab; never changes after a release
     const char* summary;    ///< one sentence
-    const char* note;       ///< what else its dialog says: a line, as dialogs must fit on small screens
-    const char* help;       ///< the rest, for pages, in simple HTML
+    const char* note; ///< what else its dialog says: a line, or nothing, as it must fit on small screens
+    const char* help; ///< the rest, for pages, in simple HTML
     std::vector<const char*> references; ///< literature, each entry in simple HTML
     std::vector<Category> categories;
     std::uint32_t changes; ///< MeshData that may differ afterward

@@ -212,10 +212,12 @@ def test_dialog(
         assert (row["label"] in texts) == (not (hidden and row["advanced"])), row["label"]
     sliders = [row for row in filter_row["parameters"] if row["slider"] and not (hidden and row["advanced"])]
     assert [widget.kind for widget in widgets].count("QSlider") == len(sliders)
-    tooltips = {
-        widget.tooltip for widget in widgets if widget.text in {row["label"] for row in filter_row["parameters"]}
-    }
-    assert all(tooltip.startswith("<span>") for tooltip in tooltips), "HTML: hosts wrap no other"
+    labels = {row["label"] for row in filter_row["parameters"]}
+    tooltips = {widget.tooltip for widget in widgets if widget.text in labels}
+    if version == "2020.09":
+        tooltips.discard("")  # of choices and sliders, which have none there
+    assert tooltips
+    assert all(tooltip.startswith("<span>") for tooltip in tooltips), "HTML: no other is wrapped"
 
 
 @pytest.mark.parametrize("words", ["decimation", "simplif"])
