@@ -68,7 +68,7 @@ const std::vector<Filter>& Filters()
          "simplify",
          "Simplification: Laplacian-Guided Quadric Edge Collapse",
          "meshing_decimation_laplacian_quadric_edge_collapse",
-         "Simplifies a mesh (decimation) and keeps creases, corners and fine details longest.",
+         "Simplifies a mesh (decimation) and keeps creases, corners and details longest.",
          "", // its dialog is the longest, and 2020.09 has no scroll bar
          "Edges collapse in the order of their quadric error. Collapses near features cost more; \"Feature "
          "weight\" sets how much. No collapse turns a face by more than 78 degrees or creates a non-manifold "
@@ -135,7 +135,10 @@ std::string References(const Filter& filter)
 
 std::string Description(const Filter& filter)
 {
-    return filter.summary + std::string(*filter.note ? "<br/>" : "") + filter.note;
+    const auto line = [](const char* text) {
+        return "<small><nobr> " + std::string(text) + " </nobr></small>";
+    };
+    return *filter.note ? line(filter.summary) + "<br/>" + line(filter.note) : line(filter.summary);
 }
 
 } // namespace laplacian_simplify

@@ -57,7 +57,8 @@ const Filter& Row(FilterId id);
 /// The literature as one text in simple HTML.
 std::string References(const Filter& filter);
 
-/// What a host shows above the parameters and searches for words: summary and note.
+/// What a host shows above the parameters and searches for words: summary and note, in lines that do not
+/// break, as hosts leave space for shorter lines than there are then.
 std::string Description(const Filter& filter);
 
 } // namespace laplacian_simplify
