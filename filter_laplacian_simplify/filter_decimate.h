@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include <vcg/complex/complex.h>
 
 #include "decimation_summary.h"
+#include "error_as_quality.h"
 #include "guidance.h"
 #include "host.h"
 #include "number_text.h"
@@ -91,7 +93,7 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
     return report;
 }
 
-constexpr const char* kLayerSuffix = " simplified";
+constexpr const char* kLayerSuffix = "_simplified";
 constexpr const char* kStrictIgnoresAttributes =
     "Order strict does not transfer attributes: the remaining vertices and faces keep theirs";
 
@@ -127,7 +129,17 @@ struct DecimationWishes {
     bool newLayer = false;
     bool errorBound = false; ///< the report says what is proven
     bool cleanInput = false; ///< vertices of no face go
+    bool errorAsQuality = false;
+    int threads = 0;
 };
+
+/// What the quality of the result will be computed from, if that is asked for.
+template <class Mesh>
+std::optional<ErrorAsQuality> ErrorOf(const Mesh& original, bool asQuality, int threads)
+{
+    if (!asQuality) return std::nullopt;
+    return ErrorAsQuality(original, threads);
+}
 
 /// What every decimation filter does besides its collapses: target, progress, result, report and log.
 /// \param simplify called with the number of faces to keep and the progress, returns a
@@ -139,6 +151,7 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     const Stopwatch stopwatch;
     const MeshFacts facts = FactsOf(host.Mesh());
     const std::size_t target = TargetFaces(values, facts);
+    const auto error = ErrorOf(host.Mesh(), wishes.errorAsQuality, wishes.threads);
     vcg_ext::DecimationReport report;
     vcg_ext::AttributeLayout layout;
     if (target >= facts.faces) {
@@ -159,8 +172,11 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
             Commit(host, std::move(decimation), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput,
                    report);
     }
+    const bool stored = error && report.stopReason != vcg_ext::StopReason::Cancelled;
+    const std::string errorLine = stored ? error->Store(host) : "";
     report.seconds = stopwatch.Seconds();
     for (const std::string& line : LogLines(report, target, wishes.errorBound, layout)) host.Log(line);
+    if (stored) host.Log(errorLine);
     return ToReport(report, layout);
 }
 
@@ -199,8 +215,9 @@ template <class Host>
 Report ApplyGuidedDecimation(Host& host, const Values& values)
 {
     vcg_ext::MeshDecimationParameters parameters = GuidedParameters(host, values);
-    const DecimationWishes wishes{parameters.measureError, values.Boolean("new_layer"),
-                                  parameters.maxError > 0, parameters.cleanInput};
+    const DecimationWishes wishes{
+        parameters.measureError, values.Boolean("new_layer"),        parameters.maxError > 0,
+        parameters.cleanInput,   values.Boolean("error_as_quality"), parameters.threads};
     return DecimateCurrentMesh(host, values, wishes, [&](std::size_t target, vcg_ext::Progress progress) {
         using Mesh = typename Host::MeshType;
         parameters.targetFaces = target;

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,6 +19,7 @@
 #include "stopwatch.h"
 #include "values.h"
 #include "vcg_ext/descriptors.h"
+#include "vertex_quality.h"
 
 namespace laplacian_simplify
 {
@@ -47,22 +48,6 @@ inline Statistics Describe(const std::vector<double>& values, bool withTenths)
     return statistics;
 }
 
-/// Stores one value for each element of mesh.vert as quality and optionally as color. Like the ramp of the
-/// host's own curvature filter, the color ramp excludes a tenth of the values at either end.
-template <class Mesh>
-void StoreAsQuality(Mesh& mesh, const std::vector<double>& values, const std::vector<bool>& inScope,
-                    bool colorize, const Statistics& statistics)
-{
-    const auto low = static_cast<float>(statistics.lowestTenth);
-    const auto high = static_cast<float>(statistics.highestTenth);
-    for (std::size_t v = 0; v < values.size(); ++v) {
-        if (!inScope[v]) continue;
-        auto& vertex = mesh.vert[v];
-        vertex.Q() = static_cast<std::decay_t<decltype(vertex.Q())>>(values[v]);
-        if (colorize) vertex.C().SetColorRamp(low, high, static_cast<float>(values[v]));
-    }
-}
-
 /// Filter "Laplacian Shape Descriptor": vertex quality and optionally color.
 template <class Host>
 Report ApplyShapeDescriptor(Host& host, const Values& values)
@@ -82,7 +67,10 @@ Report ApplyShapeDescriptor(Host& host, const Values& values)
     if (!host.Progress(90, "Laplacian shape descriptor")) throw vcg_ext::Cancelled();
 
     host.Require(colorize ? kVertexQuality | kVertexColor : kVertexQuality);
-    StoreAsQuality(mesh, descriptor, inScope, colorize, statistics);
+    // Like the ramp of the host's own curvature filter, it excludes a tenth of the values at either end.
+    std::optional<ColorRange> colors;
+    if (colorize) colors = ColorRange{statistics.lowestTenth, statistics.highestTenth};
+    StoreAsQuality(mesh, descriptor, inScope, colors);
 
     Report report;
     report.Set("minimum", statistics.minimum);

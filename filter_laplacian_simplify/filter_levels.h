@@ -77,6 +77,7 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
     using Mesh = typename Host::MeshType;
     vcg_ext::MeshDecimationParameters parameters = GuidedParameters(host, values);
     const NamedLevels named = LevelsIn(values, FactsOf(host.Mesh()));
+    const auto error = ErrorOf(host.Mesh(), values.Boolean("error_as_quality"), parameters.threads);
     ThrottledProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
     parameters.progress = std::ref(progress);
     parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
@@ -99,6 +100,7 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
         }
         for (const std::string& line : LogLines(report, level.targetFaces, level.maxError > 0, layout))
             host.Log(named.names[i] + ": " + line);
+        if (error) host.Log(named.names[i] + ": " + error->Store(host));
         reports.push_back(std::move(report));
     }
     return ToReport(reports, layout);

@@ -43,6 +43,7 @@ const std::vector<Filter>& Filters()
          "Laplacian Shape Descriptor",
          "compute_scalar_by_laplacian_descriptor_per_vertex",
          "Stores in the vertex quality how strongly each vertex deviates from its neighbors.",
+         "0 where the surface is flat, toward 1 on creases and corners.",
          "The Laplacian descriptor is 0 where the surface is flat and grows toward 1 on creases, corners and "
          "fine details. It is the mean of the edge vectors at a vertex, measured along the vertex normal and "
          "divided by the mean edge length, so it does not depend on the size of the mesh. Curvatures are "
@@ -55,6 +56,7 @@ const std::vector<Filter>& Filters()
          "Select Feature Vertices by Laplacian Descriptor",
          "compute_selection_by_laplacian_descriptor_per_vertex",
          "Selects the vertices on creases, corners and fine details by clustering a shape descriptor.",
+         "The current vertex selection is replaced.",
          "One-dimensional k-means divides the descriptor values into classes (the global optimum, not a "
          "local one). The vertices of the highest classes are selected; the current vertex selection is "
          "replaced. Two classes find the sharp edges of mechanical parts. On natural shapes the boundary "
@@ -66,7 +68,8 @@ const std::vector<Filter>& Filters()
          "simplify",
          "Simplification: Laplacian-Guided Quadric Edge Collapse",
          "meshing_decimation_laplacian_quadric_edge_collapse",
-         "Mesh decimation that preserves creases, corners and fine details as long as possible.",
+         "Simplifies a mesh (decimation) and keeps creases, corners and details longest.",
+         "", // its dialog is the longest, and 2020.09 has no scroll bar
          "Edges collapse in the order of their quadric error. Collapses near features cost more; \"Feature "
          "weight\" sets how much. No collapse turns a face by more than 78 degrees or creates a non-manifold "
          "edge. The result is bit-identical for any number of threads. If the target cannot be reached, the "
@@ -80,10 +83,10 @@ const std::vector<Filter>& Filters()
          "weighted",
          "Simplification: Laplacian-Weighted Edge Collapse (Zhang et al. 2012)",
          "meshing_decimation_laplacian_weighted_edge_collapse",
-         "A faithful implementation of the paper's mesh decimation, for comparison and research.",
+         "Simplifies a mesh by the decimation of Zhang et al. (PCM 2012), a faithful implementation for research.",
+         "For everyday work the Laplacian-Guided filter is faster and more accurate.",
          "Edges collapse in strict order of an error function multiplied by exp(feature weight * descriptor) "
-         "(Eq. 6), in VCG's priority queue. For everyday work the Laplacian-Guided filter is faster and more "
-         "accurate.",
+         "(Eq. 6), in VCG's priority queue.",
          {kZhang2012, kMelax1998, kLi2010},
          {Category::Remeshing},
          kGeometryAndTopology},
@@ -91,9 +94,10 @@ const std::vector<Filter>& Filters()
          "lod",
          "Simplification: Laplacian-Guided Levels of Detail",
          "generate_laplacian_levels_of_detail",
-         "Several simplifications of a mesh, each coarser than the one before, as new layers.",
+         "Several simplifications of a mesh (decimation), each coarser than the one before, as new layers.",
+         "The original stays, hidden. Of each level the log tells how far it is from the original.",
          "Each level is a result of the Laplacian-Guided Quadric Edge Collapse, with all that it promises, refined and "
-         "measured against the original, which stays as it is. The collapse of a level goes on where the one before it "
+         "measured against the original, which stays as it is but is hidden, as all levels but the last. The collapse of a level goes on where the one before it "
          "stopped; levels with an error bound and those of order \"strict\" are runs of their own. The layers are named "
          "after the mesh and the percentage or the error. Numbers are returned as lists, one number for each level; one "
          "that a level lacks is not a number (NaN).",
@@ -105,6 +109,7 @@ const std::vector<Filter>& Filters()
          "Umbrella Smooth (Uniform, Scale- or Normal-Dependent)",
          "apply_coord_umbrella_smoothing",
          "Moves each vertex toward the mean of its neighbors, with one of three umbrella operators.",
+         "The normal-dependent one leaves flat regions as they are.",
          "The uniform operator uses the plain mean. The scale-dependent operator weights each neighbor by "
          "the inverse of its distance. The normal-dependent operator moves vertices along their normals "
          "only, which leaves flat regions exactly where they are.",
@@ -130,7 +135,10 @@ std::string References(const Filter& filter)
 
 std::string Description(const Filter& filter)
 {
-    return std::string(filter.summary) + "<br/>" + filter.help + "<br/><br/>See:<br/>" + References(filter);
+    const auto line = [](const char* text) {
+        return "<small><nobr> " + std::string(text) + " </nobr></small>";
+    };
+    return *filter.note ? line(filter.summary) + "<br/>" + line(filter.note) : line(filter.summary);
 }
 
 } // namespace laplacian_simplify

@@ -37,12 +37,13 @@ enum class Category { Selection, Remeshing, Smoothing, Quality, VertexColoring }
 /// Everything that hosts, commands and pages show of a filter. Every filter works on the current mesh.
 struct Filter {
     FilterId id;
-    const char* key;                     ///< short name in snake_case, for the command line and for tests
-    const char* name;                    ///< in menus and .mlx scripts; never changes after a release
-    const char* pythonName;              ///< in pymeshlab; never changes after a release
-    const char* summary;                 ///< one sentence
-    const char* help;                    ///< the rest, in the host's simple HTML
-    std::vector<const char*> references; ///< literature, each entry in the host's simple HTML
+    const char* key;        ///< short name in snake_case, for the command line and for tests
+    const char* name;       ///< in menus and .mlx scripts; never changes after a release
+    const char* pythonName; ///< in pymeshlab; never changes after a release
+    const char* summary;    ///< one sentence
+    const char* note; ///< what else its dialog says: a line, or nothing, as it must fit on small screens
+    const char* help; ///< the rest, for pages, in simple HTML
+    std::vector<const char*> references; ///< literature, each entry in simple HTML
     std::vector<Category> categories;
     std::uint32_t changes; ///< MeshData that may differ afterward
 };
@@ -53,10 +54,11 @@ const std::vector<Filter>& Filters();
 /// The row of \p id.
 const Filter& Row(FilterId id);
 
-/// The literature as one text in the host's simple HTML.
+/// The literature as one text in simple HTML.
 std::string References(const Filter& filter);
 
-/// What a host shows above the parameters: summary, help and references.
+/// What a host shows above the parameters and searches for words: summary and note, in lines that do not
+/// break, as hosts leave space for shorter lines than there are then.
 std::string Description(const Filter& filter);
 
 } // namespace laplacian_simplify

@@ -66,7 +66,8 @@ std::string TypeText(ResultType type)
 std::string FilterSection(const Filter& filter)
 {
     std::string page = std::string("## ") + filter.name + "\n\n`" + filter.pythonName + "`\n\n" +
-                       filter.summary + " " + OneParagraph(filter.help) + "\n\n" +
+                       filter.summary + (*filter.note ? " " : "") + filter.note + " " +
+                       OneParagraph(filter.help) + "\n\n" +
                        "| parameter | values | default | meaning |\n|---|---|---|---|\n";
     for (const Parameter* row : ParametersOf(filter.id))
         page += std::string("| `") + row->id + "` | " + TypeText(*row) + " | " + DefaultText(*row) + " | " +

@@ -8,7 +8,7 @@
 //   MeshType& Mesh()               the current mesh
 //   void Require(data)             makes sure that the mesh has the MeshData that is about to be written
 //   void ContinueOnCopy(suffix)    makes a new layer with a copy of the original the current mesh; its name
-//                                  is the original's and the suffix
+//                                  is the original's and the suffix, and the layer that was shown is hidden
 //   void ReturnToOriginal()        makes the mesh at the start the current one again
 //   void GeometryChanged()         updates box and normals, of length 1; to be called after positions or
 //                                  faces changed

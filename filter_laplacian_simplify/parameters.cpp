@@ -100,57 +100,57 @@ const std::vector<Parameter>& Parameters()
     // clang-format off
     static const std::vector<Parameter> parameters = {
         {"operator", {kSmooth}, Type::Choice, {0}, Choices(operators), "", "Operator",
-         "The umbrella operator that moves the vertices.", operators},
-        {"steps", {kSmooth}, Type::Integer, {10}, {1, 10000}, "", "Steps",
+         "The umbrella operator that moves the vertices (Desbrun et al., SIGGRAPH 1999; Zhang et al., PCM 2012).",
+         operators},
+        {"steps", {kSmooth}, Type::Integer, {10}, {1, 10000}, "", "Steps (1-10000)",
          "Number of iterations.", {}},
         {"step_size", {kSmooth}, Type::Real, {0.5}, {0, 1, false}, "", "Step size (0-1)",
-         "Fraction of the operator's displacement that is applied in each iteration.", {}},
+         "Fraction of the operator's displacement that is applied in each iteration.", {}, kSlider},
         {"boundary", {kSmooth}, Type::Choice, {0}, Choices(borders), "", "Boundary",
          "How vertices on open borders move: like any other vertex, toward their neighbors on the border "
          "only, or not at all.", borders},
         {"error_function", {kWeighted}, Type::Choice, {0}, Choices(errors), "", "Error function",
-         "The g of Eq. 6, which is multiplied by exp(feature weight * descriptor).", errors},
+         "The g of Eq. 6, which is multiplied by exp(feature weight * descriptor). Quadric: Garland and Heckbert, "
+         "SIGGRAPH 1997. Melax: Game Developer, November 1998.", errors},
         {"percents", {kLevels}, Type::Numbers, {0, nullptr, "", "50,25,10"}, {0, 100, false}, "percent of the faces",
-         "Percentages (0-100)",
+         "Percentages of faces to keep (0-100)",
          "Percentage of faces of each level (of the selected faces if \"Selection only\" is on), from the finest to the "
          "coarsest. Not used if \"Largest errors\" is given.", {}},
         {"max_errors", {kLevels}, Type::Numbers, {0}, {0, 100, false}, "percent of the bounding box diagonal",
-         "Largest errors (0-100)",
+         "Largest errors (% of diagonal)",
          "In place of percentages, from the finest to the coarsest: each level is as small as it can be if no point of "
          "either surface is farther than this from the other, in percent of the diagonal of the bounding box; proven at "
          "the end. Each is a run of its own. Needs order \"sweeps\".", {}},
         {"target_faces", {kGuided, kWeighted}, Type::Integer, kHalfTheFaces, kFaceCount, "faces",
-         "Target faces",
-         "Number of faces to keep, of the selected faces if \"Selection only\" is on. Used if the target "
-         "percentage is 0.", {}},
+         "Number of faces to keep",
+         "Of the selected faces if \"Selection only\" is on. Used if the percentage is 0.", {}},
         {"target_percent", {kGuided, kWeighted}, Type::Real, {0}, {0, 100}, "percent of the faces",
-         "Target percentage (0-100)",
-         "Percentage of faces to keep (0-100, not a fraction), of the selected faces if \"Selection only\" "
-         "is on. 0 = use \"Target faces\".", {}},
+         "Percentage of faces to keep (0-100)",
+         "Not a fraction; of the selected faces if \"Selection only\" is on. 0 = use \"Number of faces to keep\".", {},
+         kSlider},
         {"max_error", {kGuided, kLevels}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
-         "Largest error (0-100)",
+         "Largest error (% of diagonal, 0 = any)",
          "No point of either surface is farther than this from the other, in percent of the diagonal of the "
-         "bounding box; proven at the end. The target is then the lower end: the decimation stops at whichever "
+         "bounding box (0-100); proven at the end. The target is then the lower end: the decimation stops at whichever "
          "comes first. 0: no bound. Needs order \"sweeps\".", {}},
         {"feature_weight", {kGuided, kLevels}, Type::Real, {2}, {0, 50}, "", "Feature weight (0-50)",
-         "How much more collapses near features cost (lambda). 0: plain decimation. 2: in nearly all cases "
-         "less error at features, for a few percent more rms error overall. 4 to 8: features take priority. "
-         "Values above about 10 are rarely useful.", {}},
+         "How much more collapses near features cost (lambda of Zhang et al., PCM 2012). 0: plain decimation. 2: in "
+         "nearly all cases less error at features, for a few percent more rms error overall. 4 to 8: features take "
+         "priority. Values above about 10 are rarely useful.", {}, kSlider},
         {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight (0-50)",
-         "Lambda of Eq. 6. 0: the plain error function.", {}},
+         "Lambda of Eq. 6 (Zhang et al., PCM 2012). 0: the plain error function.", {}, kSlider},
         {"effort", {kGuided, kLevels}, Type::Choice, {1}, Choices(efforts), "", "Effort",
-         "Quality/speed trade-off. Fast: collapses only. Balanced: also refines the result. Best: also takes "
-         "vertices from where they are needed least to where they gain most, and lowers the largest "
-         "distances; about two and a half times the time of balanced.", efforts},
+         "Quality/speed trade-off. Fast: collapses only (quadrics of Garland and Heckbert, SIGGRAPH 1997; Lindstrom and "
+         "Turk, IEEE Visualization 1998). Balanced: also refines the result. Best: also takes vertices from where they "
+         "are needed least to where they gain most, and lowers the largest distances; about two and a half times the "
+         "time of balanced.", efforts},
         {"descriptor", {kDescriptor}, Type::Choice, {0}, Choices(computed), "", "Descriptor",
-         "Shape descriptor to compute.", computed},
+         "Shape descriptor to compute. The Laplacian one is Eq. 5 of Zhang et al. (PCM 2012).", computed},
         {"descriptor", {kSelection}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
-         "Shape descriptor to divide into classes.", computedOrStored},
-        {"descriptor", {kGuided, kLevels}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
-         "Measure that decides what counts as a feature.", computedOrStored},
+         "Shape descriptor to divide into classes (Zhang et al., PCM 2012).", computedOrStored},
         {"descriptor", {kWeighted}, Type::Choice, {0}, Choices(weights), "", "Descriptor",
-         "The l of Eq. 6, rescaled to [0, 1]. The curvature-weighted quadric uses no l: it scales the "
-         "quadrics by the absolute curvature.", weights},
+         "The l of Eq. 6, rescaled to [0, 1]. The curvature-weighted quadric (Li et al., ICIEA 2010) uses no l: it "
+         "scales the quadrics by the absolute curvature.", weights},
         {"rescale", {kDescriptor}, Type::Boolean, {0}, kSwitch, "", "Rescale to [0, 1]",
          "Rescale the values linearly so that the minimum becomes 0 and the 99.9th percentile becomes 1; "
          "larger values are clipped to 1.", {}},
@@ -160,63 +160,70 @@ const std::vector<Parameter>& Parameters()
          "Section 4.4: a feature vertex (of the highest class) collapses into feature neighbors only.", {}},
         {"classes", {kSelection, kWeighted}, Type::Integer, {2}, {2, 16}, "", "Classes (2-16)",
          "Number of classes.", {}},
-        {"selected_classes", {kSelection}, Type::Integer, {1}, {1, 15}, "", "Selected classes",
+        {"selected_classes", {kSelection}, Type::Integer, {1}, {1, 15}, "", "Selected classes (1-15)",
          "How many of the highest classes to select; fewer than the number of classes.", {}},
         {"refine", {kSelection, kWeighted}, Type::Boolean, {0}, kSwitch, "", "Refine",
          "Close gaps: while a feature vertex has fewer than the minimum number of feature neighbors, its "
          "best neighbor is added. Helps on mechanical parts, not on natural shapes.", {}},
         {"minimum_feature_neighbours", {kSelection}, Type::Integer, {2}, {1, 8}, "",
-         "Minimum feature neighbors",
+         "Minimum feature neighbors (1-8)",
          "For the refinement: the number of feature neighbors that each feature vertex should have.", {}},
         {"refinement_floor", {kSelection}, Type::Real, {0.5}, {0, 1}, "of the threshold",
          "Refinement floor (0-1)",
-         "For the refinement: no vertex is added whose descriptor is below this part of the threshold.", {}},
+         "For the refinement: no vertex is added whose descriptor is below this part of the threshold.", {}, kSlider},
         {"class_as_quality", {kSelection}, Type::Boolean, {0}, kSwitch, "", "Class as quality",
          "Store the class number of each vertex, counted from 0, in its quality.", {}},
         {"boundary", {kGuided, kLevels}, Type::Choice, {1}, Choices(boundaries), "", "Boundary",
          "How open borders are treated.", boundaries},
-        {"preserve_topology", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Preserve topology",
-         "Keep every handle, hole and component; the filter may stop above the target.", {}},
+        {"keep_attributes", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Keep attributes",
+         "Texture coordinates, materials, colors, quality and custom attributes guide the decimation, their seams "
+         "stay, and their values are fitted to the result. Off: the remaining vertices and faces keep their values. "
+         "Needs order \"sweeps\".", {}},
         {"selected_only", {kGuided, kWeighted, kLevels}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Decimate only the selected faces; the rest is untouched.", {}},
         {"selected_only", {kDescriptor, kSmooth}, Type::Boolean, kIfFacesAreSelected, kSwitch, "",
          "Selection only",
          "Change only the vertices of selected faces or, if no face is selected, the selected vertices.", {}},
-        {"lock_selected_vertices", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Lock selected vertices",
-         "Selected vertices neither move nor disappear, to the bit.", {}},
-        {"keep_attributes", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Keep attributes",
-         "Texture coordinates, materials, colors, quality and custom attributes guide the decimation, their seams "
-         "stay, and their values are fitted to the result. Off: the remaining vertices and faces keep their values. "
-         "Needs order \"sweeps\".", {}},
+        {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
+         "Keep the original, hidden, and put the result in a new layer.", {}},
+        {"error_as_quality", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Error as quality",
+         "Store the distance of each vertex of the result to the original in its quality, in the unit of the mesh, and "
+         "color it, from red (small) to blue (large). Quality and color of the original are replaced, also with \"Keep "
+         "attributes\".", {}},
+        {"measure_error", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Measure error",
+         "Measure the distances between original and result for the report. Takes about as long as the "
+         "decimation.", {}},
+        {"descriptor", {kGuided, kLevels}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",
+         "Measure that decides what counts as a feature.", computedOrStored, kAdvanced},
         {"attribute_weight", {kGuided, kLevels}, Type::Real, {1}, {0, 100}, "", "Attribute weight (0-100)",
          "How much attributes count against the shape. 0: they are fitted to the result, but guide nothing. 10 keeps "
-         "hard borders of colors.", {}},
+         "hard borders of colors.", {}, kAdvanced | kSlider},
         {"seams", {kGuided, kLevels}, Type::Choice, {0}, Choices(seams), "", "Seams",
          "Edges at which texture, material or color change. Keep: no part between seams vanishes, and the decimation "
-         "stops where only such collapses are left. Ignore: it goes on; the texture is then wrong there.", seams},
+         "stops where only such collapses are left. Ignore: it goes on; the texture is then wrong there.", seams,
+         kAdvanced},
+        {"preserve_topology", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Preserve topology",
+         "Keep every handle, hole and component; the filter may stop above the target.", {}, kAdvanced},
+        {"lock_selected_vertices", {kGuided, kLevels}, Type::Boolean, {0}, kSwitch, "", "Lock selected vertices",
+         "Selected vertices neither move nor disappear, to the bit.", {}, kAdvanced},
         {"avoid_self_intersections", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Avoid self-intersections",
          "No more faces cross each other than before. Where some would, the mesh is decimated again with more "
-         "care, which takes several times as long. What could not be kept is reported.", {}},
+         "care, which takes several times as long. What could not be kept is reported.", {}, kAdvanced},
         {"clean_input", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Clean the input",
          "First joins open borders where they meet at equal coordinates, as all faces of an STL file do, and "
          "removes faces with the same vertex twice, faces that are there twice, and vertices of no face. Vertices "
          "of different color or texture coordinates become a seam, and two again at the end; without \"Keep "
-         "attributes\" they stay apart.", {}},
+         "attributes\" they stay apart.", {}, kAdvanced},
         {"weld_distance", {kGuided, kLevels}, Type::Real, {0}, {0, 100}, "percent of the bounding box diagonal",
-         "Weld distance (0-100)",
+         "Weld distance (% of diagonal)",
          "\"Clean the input\" also joins border vertices that are at most this far apart, in percent of the diagonal "
-         "of the bounding box. 0: only those at equal coordinates.", {}},
-        {"new_layer", {kGuided}, Type::Boolean, {0}, kSwitch, "", "New layer",
-         "Keep the original and put the result in a new layer.", {}},
-        {"measure_error", {kGuided, kLevels}, Type::Boolean, {1}, kSwitch, "", "Measure error",
-         "Measure the distances between original and result for the report. Takes about as long as the "
-         "decimation.", {}},
+         "of the bounding box (0-100). 0: only those at equal coordinates.", {}, kAdvanced},
         {"order", {kGuided, kLevels}, Type::Choice, {0}, Choices(orders), "", "Order",
-         "Collapse algorithm: fast parallel engine, or VCG's queue (reference).", orders},
-        {"threads", {kGuided, kLevels}, Type::Integer, {0}, {0, 1024}, "", "Threads (0 = all)",
+         "Collapse algorithm: fast parallel engine, or VCG's queue (reference).", orders, kAdvanced},
+        {"threads", {kGuided, kLevels}, Type::Integer, {0}, {0, 1024}, "", "Threads (0-1024, 0 = all)",
          "Number of threads. 0: all cores, or OMP_NUM_THREADS if it is set. The result is bit-identical for "
-         "any number of threads.", {}},
+         "any number of threads.", {}, kAdvanced},
     };
     // clang-format on
     return parameters;

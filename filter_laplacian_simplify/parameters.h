@@ -46,6 +46,13 @@ struct DefaultValue {
     const char* numbers = "";                     ///< of Numbers, in place of the value
 };
 
+/// How dialogs show a parameter; combined by bitwise or.
+enum Shown : unsigned {
+    kPlainly = 0,
+    kAdvanced = 1, ///< rarely used: behind a button where the host has one
+    kSlider = 2    ///< a number that is dragged over the whole range
+};
+
 /// Everything that hosts, commands and pages show of a parameter of some filters.
 struct Parameter {
     const char* id; ///< snake_case, the same in dialogs, scripts, Python and commands; never changes
@@ -57,6 +64,7 @@ struct Parameter {
     const char* label;
     const char* help;
     std::vector<Option> options; ///< of a choice, otherwise empty
+    unsigned shown = kPlainly;   ///< of Shown
 
     /// The default on a mesh; always in the range.
     double Default(const MeshFacts& facts) const
@@ -73,7 +81,8 @@ double DefaultOf(const Parameter& parameter, const Facts& facts)
     return parameter.Default(parameter.defaultValue.onMesh ? facts() : MeshFacts{});
 }
 
-/// The table of parameters, in the order of the dialogs. No filter has two of the same id.
+/// The table of parameters, in the order of the dialogs: what is rarely used comes last. No filter has two of
+/// the same id.
 const std::vector<Parameter>& Parameters();
 
 /// The rows of one filter.

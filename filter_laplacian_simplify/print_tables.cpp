@@ -68,7 +68,9 @@ QJsonObject ToJson(const Parameter& row)
                      {"range_text", ToQt(RangeText(row))},
                      {"unit", row.unit},
                      {"label", row.label},
-                     {"help", row.help}};
+                     {"help", row.help},
+                     {"advanced", (row.shown & kAdvanced) != 0},
+                     {"slider", (row.shown & kSlider) != 0}};
     // null: the default depends on the mesh
     if (row.defaultValue.onMesh)
         json["default"] = QJsonValue::Null;

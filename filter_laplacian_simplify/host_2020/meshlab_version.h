@@ -17,4 +17,11 @@ void UpdateBoxAndNormals(MeshModel& model);
 /// Adds a layer with a copy of \p original, which becomes the current one.
 MeshModel& AddCopy(MeshDocument& document, MeshModel& original, const QString& label);
 
+/// Adds a parameter. This version shows all of them at once, in their order.
+template <class Rich, class... Arguments>
+void AddShown(RichParameterList& list, bool /*advanced*/, const Arguments&... arguments)
+{
+    list.addParam(Rich(arguments...));
+}
+
 } // namespace laplacian_simplify

@@ -94,13 +94,15 @@ std::map<std::string, QVariant> FilterLaplacianSimplify::applyFilter(const QActi
                                                                      vcg::CallBackPos* callback)
 {
     std::map<std::string, QVariant> results;
+    int written = 0;
     const auto failure = FailureOf([&] {
         MeshLabHost host(document, callback, [this](const std::string& line) { log(line); });
         const Report report = ApplyFilter(RowOf(action).id, host, ValuesIn(parameters));
         for (const auto& [id, value] : report.Entries()) results[id] = ToQt(value);
+        written = host.Written();
     });
     if (failure) throw MLException(QString::fromStdString(*failure));
-    postConditionMask = static_cast<unsigned int>(postCondition(action));
+    postConditionMask = static_cast<unsigned int>(postCondition(action) | written);
     return results;
 }
 

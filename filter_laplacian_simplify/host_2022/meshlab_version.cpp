@@ -16,6 +16,9 @@ MeshModel& AddCopy(MeshDocument& document, MeshModel& original, const QString& l
     copy.cm.Tr = original.cm.Tr;
     copy.cm.shot = original.cm.shot;
     copy.updateDataMask(&original);
+    // MeshLab says of every copy that it has these.
+    for (const int data : {MeshModel::MM_VERTQUALITY, MeshModel::MM_VERTCOLOR})
+        if (!original.hasDataMask(data)) copy.clearDataMask(data);
     for (const auto& [name, image] : original.getTextures()) copy.addTexture(name, image);
     return copy;
 }

@@ -18,4 +18,11 @@ void UpdateBoxAndNormals(MeshModel& model);
 /// Adds a layer with a copy of \p original, which becomes the current one.
 MeshModel& AddCopy(MeshDocument& document, MeshModel& original, const QString& label);
 
+/// Adds a parameter; those that are advanced appear when they are asked for.
+template <class Rich, class... Arguments>
+void AddShown(RichParameterList& list, bool advanced, const Arguments&... arguments)
+{
+    list.addParam(Rich(arguments..., advanced));
+}
+
 } // namespace laplacian_simplify

@@ -12,6 +12,7 @@
 #include <vcg/complex/algorithms/update/normal.h>
 
 #include "host_masks.h"
+#include "layer_name.h"
 #include "meshlab_version.h"
 
 namespace laplacian_simplify
@@ -23,6 +24,8 @@ class MeshLabHost
     MeshDocument& document_;
     MeshModel* const original_;
     MeshModel* model_;
+    MeshModel* shown_;
+    int written_ = 0;
     vcg::CallBackPos* callback_;
     std::function<void(const std::string&)> log_;
 
@@ -33,17 +36,26 @@ class MeshLabHost
     /// \throws std::invalid_argument if the document has no current mesh
     MeshLabHost(MeshDocument& document, vcg::CallBackPos* callback,
                 std::function<void(const std::string&)> log)
-        : document_(document), original_(document.mm()), model_(original_), callback_(callback),
-          log_(std::move(log))
+        : document_(document), original_(document.mm()), model_(original_), shown_(original_),
+          callback_(callback), log_(std::move(log))
     {
         if (!model_) throw std::invalid_argument("there is no current mesh");
     }
 
     CMeshO& Mesh() { return model_->cm; }
-    void Require(std::uint32_t data) { model_->updateDataMask(HostMask<MeshModel>(data)); }
+    void Require(std::uint32_t data)
+    {
+        written_ |= HostMask<MeshModel>(data);
+        model_->updateDataMask(HostMask<MeshModel>(data));
+    }
+    /// All that was required so far, as MeshLab's bits.
+    int Written() const { return written_; }
     void ContinueOnCopy(const std::string& suffix)
     {
-        model_ = &AddCopy(document_, *original_, original_->label() + QString::fromStdString(suffix));
+        const std::string label = LayerLabel(original_->label().toStdString(), suffix);
+        model_ = &AddCopy(document_, *original_, QString::fromStdString(label));
+        document_.setVisible(shown_->id(), false); // both at one place would flicker
+        shown_ = model_;
     }
     void ReturnToOriginal() { model_ = original_; }
     void GeometryChanged()

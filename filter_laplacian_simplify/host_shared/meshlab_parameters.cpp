@@ -3,6 +3,7 @@
 #include "host_shared/meshlab_parameters.h"
 
 #include <optional>
+#include <type_traits>
 
 #include "host.h"
 #include "number_text.h"
@@ -12,26 +13,39 @@ namespace laplacian_simplify
 namespace
 {
 
+/// Hosts break the lines of tooltips only in HTML.
+QString Tooltip(const char* help)
+{
+    return "<span>" + QString(help).toHtmlEscaped() + "</span>";
+}
+
 void AddParameter(RichParameterList& list, const Parameter& row, double value)
 {
-    const QString id = row.id, label = row.label, help = row.help;
+    const QString id = row.id, label = row.label, help = Tooltip(row.help);
+    const bool advanced = (row.shown & kAdvanced) != 0;
     switch (row.type) {
     case ParameterType::Boolean:
-        list.addParam(RichBool(id, value != 0, label, help));
+        AddShown<RichBool>(list, advanced, id, value != 0, label, help);
         break;
     case ParameterType::Integer:
-        list.addParam(RichInt(id, static_cast<int>(value), label, help));
+        AddShown<RichInt>(list, advanced, id, static_cast<int>(value), label, help);
         break;
     case ParameterType::Real:
-        list.addParam(RichFloat(id, static_cast<Scalarm>(value), label, help));
+        // pymeshlab, which alone is of double precision and has no dialogs, would cut the number to a float.
+        if ((row.shown & kSlider) != 0 && std::is_same_v<Scalarm, float>)
+            AddShown<RichDynamicFloat>(list, advanced, id, static_cast<Scalarm>(value),
+                                       static_cast<Scalarm>(row.range.minimum),
+                                       static_cast<Scalarm>(row.range.maximum), label, help);
+        else
+            AddShown<RichFloat>(list, advanced, id, static_cast<Scalarm>(value), label, help);
         break;
     case ParameterType::Numbers:
-        list.addParam(RichString(id, row.defaultValue.numbers, label, help));
+        AddShown<RichString>(list, advanced, id, QString(row.defaultValue.numbers), label, help);
         break;
     case ParameterType::Choice: {
         QStringList texts;
         for (const Option& option : row.options) texts << QString::fromStdString(option.text);
-        list.addParam(RichEnum(id, static_cast<int>(value), texts, label, help));
+        AddShown<RichEnum>(list, advanced, id, static_cast<int>(value), texts, label, help);
         break;
     }
     }

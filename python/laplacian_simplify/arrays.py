@@ -26,6 +26,7 @@ _MESH_SETS_ONLY: dict[str, tuple[int, ...]] = {
     "descriptor": (2, 3),
     "new_layer": (1,),
     "lock_selected_vertices": (1,),
+    "error_as_quality": (1,),
 }
 _STORED_QUALITY = "vertex_quality"
 

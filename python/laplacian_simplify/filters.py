@@ -39,6 +39,7 @@ def levels_of_detail(
     clean_input: bool | None = None,
     weld_distance: float | None = None,
     measure_error: bool | None = None,
+    error_as_quality: bool | None = None,
     order: Order | int | None = None,
     threads: int | None = None,
 ) -> list[LevelReport]:
@@ -68,6 +69,7 @@ def levels_of_detail(
         clean_input: first join open borders where they meet, and leave out degenerate and duplicate faces (default).
         weld_distance: borders this close are joined, too, in percent of the bounding box's diagonal.
         measure_error: measure the distances of every level for its report (default).
+        error_as_quality: the distance of each vertex to the original becomes its quality and color.
         order: sweeps (default) or strict.
         threads: 0 all; the result does not depend on it.
 

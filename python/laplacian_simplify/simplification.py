@@ -50,6 +50,7 @@ class FileOptions(TypedDict, total=False):
     clean_input: bool | None
     weld_distance: float | None
     measure_error: bool | None
+    error_as_quality: bool | None
     order: Order | int | None
     threads: int | None
 
@@ -102,6 +103,7 @@ def simplify(
     weld_distance: float | None = None,
     new_layer: bool | None = None,
     measure_error: bool | None = None,
+    error_as_quality: bool | None = None,
     order: Order | int | None = None,
     threads: int | None = None,
     selected: "NDArray[np.bool_] | None" = None,
@@ -149,6 +151,8 @@ def simplify(
         weld_distance: borders this close are joined, too, in percent of the bounding box's diagonal.
         new_layer: keep the original, the result becomes a new mesh of the set; for mesh sets and files only.
         measure_error: measure the distances for the report (default).
+        error_as_quality: the distance of each vertex of the result to the original becomes its quality, in the unit of
+            the coordinates, and its color; for mesh sets and files only.
         order: sweeps, the parallel engine (default), or strict, VCG's own order; for mesh sets and files only.
         threads: 0 all; the result does not depend on it.
         selected: the selected faces, an array of bool, (m,). As all that follow not for mesh sets and files.
@@ -198,6 +202,7 @@ def simplify(
         "weld_distance": weld_distance,
         "new_layer": new_layer,
         "measure_error": measure_error,
+        "error_as_quality": error_as_quality,
         "order": order,
         "threads": threads,
     }

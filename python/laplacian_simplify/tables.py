@@ -35,6 +35,10 @@ class Parameter:
     maximum: float = 1
     minimum_included: bool = True
     options: tuple[Option, ...] = ()
+    advanced: bool = False
+    """Of the dialogs: rarely used."""
+    slider: bool = False
+    """Of the dialogs: dragged over its range."""
 
     def number(self, value: object) -> float:
         """The number of a value: of a choice also by the id of the option. Numbers of NumPy are numbers, too.

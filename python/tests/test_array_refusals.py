@@ -71,6 +71,11 @@ HUGE = np.broadcast_to(np.zeros((1, 3)), (2**31, 3)), np.broadcast_to(np.zeros((
         ((V, F, {"target_faces": 5, "descriptor": "mean_curvature"}), ValueError, "descriptor = mean_curvature is for"),
         ((V, F, {"target_faces": 5, "new_layer": True}), ValueError, "new_layer = True is for a pymeshlab.MeshSet"),
         (
+            (V, F, {"target_faces": 5, "error_as_quality": True}),
+            ValueError,
+            "error_as_quality = True is for a pymeshlab.MeshSet or a file, not for arrays",
+        ),
+        (
             (V, F, {"target_faces": 5, "lock_selected_vertices": True}),
             ValueError,
             "lock_selected_vertices = True is for a pymeshlab.MeshSet or a file, not for arrays",

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the guided decimation promises, seen from Python."""
 
+import igl
 import numpy as np
+import pymeshlab
 import pytest
 from conftest import SAMPLE_MESHES, SAMPLE_NAMES, non_manifold_edges, positions_and_faces, run_command
 
@@ -52,14 +54,81 @@ def test_the_command_writes_the_same_bytes_again(tmp_path) -> None:
 
 
 def test_new_layer_keeps_the_original(load_sample) -> None:
+    """Its name is the original's, it has no quality and color that that has not, and that is hidden."""
     mesh_set = load_sample("flange.ply")
     original = positions_and_faces(mesh_set)
     report = ls.simplify(mesh_set, target_percent=10, new_layer=True)
     assert mesh_set.mesh_number() == 2
+    assert [mesh.label() for mesh in mesh_set] == ["flange.ply", "flange_simplified.ply"]
+    assert [mesh.is_visible() for mesh in mesh_set] == [False, True]
+    assert not mesh_set.current_mesh().has_vertex_scalar()
+    assert not mesh_set.current_mesh().has_vertex_color()
     assert mesh_set.current_mesh().face_number() == report.faces
     mesh_set.set_current_mesh(0)
     for kept, before in zip(positions_and_faces(mesh_set), original, strict=True):
         assert np.array_equal(kept, before)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"new_layer": True},
+        {"order": "strict"},
+        {"effort": "best"},
+        {"selected_only": True},
+        {"keep_attributes": False},
+        {"threads": 3},
+    ],
+    ids=str,
+)
+def test_the_error_as_quality_is_the_distance_to_the_original(options: dict, load_sample) -> None:
+    """As libigl finds it, in double precision: but for rounding at coordinates of the size of the mesh."""
+    mesh_set = load_sample("relief_scan.ply")
+    if "selected_only" in options:
+        mesh_set.compute_selection_by_condition_per_face(condselect="(x0 + x1 + x2) < 0")
+    positions, faces = (array.copy() for array in positions_and_faces(mesh_set))
+    ls.simplify(mesh_set, target_percent=10, error_as_quality=True, measure_error=False, **options)
+    mesh = mesh_set.current_mesh()
+    squares, *_ = igl.point_mesh_squared_distance(mesh.vertex_matrix(), positions, faces)
+    quality = mesh.vertex_scalar_array()
+    assert np.abs(quality - np.sqrt(squares)).max() < 1e-9 * mesh.bounding_box().diagonal()
+    assert quality.max() > 1e-4 * mesh.bounding_box().diagonal()
+    red, blue = mesh.vertex_color_matrix()[[quality.argmin(), quality.argmax()]]
+    assert list(red) == [1, 0, 0, 1]
+    assert list(blue) == [0, 0, 1, 1]
+
+
+def test_the_error_as_quality_changes_nothing_else(load_sample) -> None:
+    outcomes = []
+    for options in (
+        {},
+        {"error_as_quality": False},
+        {"error_as_quality": True, "threads": 1},
+        {"error_as_quality": True},
+    ):
+        mesh_set = load_sample("flange.ply")
+        ls.simplify(mesh_set, target_percent=10, **options)
+        mesh = mesh_set.current_mesh()
+        assert mesh.has_vertex_scalar() == mesh.has_vertex_color() == options.get("error_as_quality", False)
+        colored = [mesh.vertex_scalar_array(), mesh.vertex_color_matrix()] if mesh.has_vertex_scalar() else []
+        outcomes.append([array.tobytes() for array in [*positions_and_faces(mesh_set), *colored]])
+    without, off, one_thread, on = outcomes
+    assert without == off == on[:2]
+    assert one_thread == on
+
+
+def test_the_command_writes_the_error_as_quality(tmp_path) -> None:
+    output = tmp_path / "out.ply"
+    done = run_command(
+        "simplify", SAMPLE_MESHES / "flange.ply", output, "--percent", 10, "--error-as-quality", "--no-measure-error"
+    )
+    assert done.returncode == 0, done.stderr
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.load_new_mesh(str(output))
+    mesh = mesh_set.current_mesh()
+    assert mesh.vertex_scalar_array().max() > 0
+    assert len(np.unique(mesh.vertex_color_matrix(), axis=0)) > 20
 
 
 def test_only_the_selection_changes(load_sample) -> None:

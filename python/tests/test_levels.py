@@ -29,6 +29,7 @@ def test_levels_are_new_meshes_of_the_set(load_sample) -> None:
         assert level.rms is not None
         mesh_set.set_current_mesh(level.mesh_id)
         assert mesh_set.current_mesh().label() == f"part {percent:g}%"
+        assert mesh_set.current_mesh().is_visible() == (percent == 12.5)  # the last one is shown
         positions, faces = positions_and_faces(mesh_set)
         assert (level.faces, level.vertices) == (len(faces), len(positions))
         assert level.faces == pytest.approx(percent / 100 * len(before[1]), abs=2)

@@ -595,6 +595,7 @@ void TestFilters::newLayerKeepsTheOriginal()
     const Report report =
         host.Apply(FilterId::GuidedDecimation, {{"target_percent", 20.0}, {"new_layer", 1.0}});
     QCOMPARE(host.Layers(), std::size_t{2});
+    QVERIFY(host.suffixes == (std::vector<std::string>{"_simplified"}));
     QVERIFY(Fingerprint(host.Original()) == before);
     QCOMPARE(host.Mesh().fn, Get<int>(report, "faces"));
     QCOMPARE(host.Mesh().vn, Get<int>(report, "vertices"));

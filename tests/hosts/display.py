@@ -41,6 +41,10 @@ def ended_process(command: list[str], **options) -> Iterator[subprocess.Popen]:
             process.wait()
 
 
+SCREEN = (1366, 768)
+"""Width and height in pixels: the smallest screen that MeshLab is at home on."""
+
+
 class Display:
     """A running X server."""
 
@@ -107,7 +111,8 @@ def _signature(picture: Path) -> str:
 def running_display(log: Path) -> Iterator[Display]:
     """An X server with a window manager, on a display number that the server finds free itself."""
     reading, writing = os.pipe()
-    server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"]
+    screen = f"{SCREEN[0]}x{SCREEN[1]}x24"
+    server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp", "-noreset"]
     with log.open("w") as output, ended_process(server, pass_fds=[writing], stdout=output, stderr=output):
         os.close(writing)
         with os.fdopen(reading) as answer:

@@ -35,6 +35,11 @@ class HostProgram:
         """The folder of the release's libraries; every release has one for its architecture."""
         return next((_root(self.version) / "usr" / "lib").glob("*-linux-gnu*"))
 
+    @property
+    def test_programs(self) -> Path:
+        """What is built from this folder for the version."""
+        return PROJECT / "build" / f"meshlab-{self.version}" / "tests" / "hosts"
+
     def command(self, program: str, *arguments: str | Path) -> list[str]:
         """The command line of ``meshlab`` or ``meshlabserver``."""
         return self.command_of(self.prefix / "bin" / program, *arguments)
@@ -55,7 +60,7 @@ class HostProgram:
             "XDG_RUNTIME_DIR": str(runtime),
             "DISPLAY": display,
             "LC_ALL": "C.UTF-8",
-            "QT_PLUGIN_PATH": str(self.libraries / "qt5" / "plugins"),
+            "QT_PLUGIN_PATH": f"{self.libraries / 'qt5' / 'plugins'}:{self.test_programs}",
             "LIBGL_DRIVERS_PATH": str(self.libraries / "dri"),
             "LIBGL_ALWAYS_SOFTWARE": "1",
             "QT_LOGGING_RULES": "*.debug=true;qt.*=false",

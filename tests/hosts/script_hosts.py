@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from host_programs import PROJECT, HostProgram, built_plugin
+from host_programs import HostProgram, built_plugin
 
 SECONDS = 120
 """Longer than any run of a sample mesh takes on a busy machine."""
@@ -43,7 +43,7 @@ def script_runner(host: HostProgram, display: str, *options: str, plugin_folder:
 
     The plugin is the one that was built, or that of the folder.
     """
-    runner = PROJECT / "build" / f"meshlab-{host.version}" / "tests" / "hosts" / "script_runner"
+    runner = host.test_programs / "script_runner"
 
     def run(script: Path, mesh: Path, output: Path) -> ScriptRun:
         plugins = [host.prefix / "lib" / host.libraries.name / "meshlab" / "plugins"]

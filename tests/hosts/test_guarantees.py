@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import igl
 import numpy as np
 import pytest
 
@@ -55,16 +56,20 @@ def select(kind: str, condition: str) -> ForeignStep:
     return ForeignStep(f"Conditional {kind} Selection", (("condSelect", "RichString", condition),))
 
 
-FLATTEN = ForeignStep(
-    "Flatten Visible Layers",
-    (
-        ("MergeVisible", "RichBool", "true"),
-        ("DeleteLayer", "RichBool", "true"),
-        ("MergeVertices", "RichBool", "false"),
-        ("AlsoUnreferenced", "RichBool", "true"),
-    ),
-)
-"""Puts all layers into one, in their order."""
+def flatten(only_visible: str) -> ForeignStep:
+    """Puts layers into one, in their order: those that are shown, or all."""
+    return ForeignStep(
+        "Flatten Visible Layers",
+        (
+            ("MergeVisible", "RichBool", only_visible),
+            ("DeleteLayer", "RichBool", "true"),
+            ("MergeVertices", "RichBool", "false"),
+            ("AlsoUnreferenced", "RichBool", "true"),
+        ),
+    )
+
+
+FLATTEN, FLATTEN_VISIBLE = flatten("false"), flatten("true")
 
 
 @pytest.fixture
@@ -153,9 +158,11 @@ def test_only_the_selection_changes(result_of: Callable[..., MeshData]) -> None:
 
 
 def test_a_new_layer_keeps_the_original(result_of: Callable[..., MeshData]) -> None:
+    """It is hidden: two meshes at one place flicker."""
     points, faces = sheet()
     alone = result_of((points, faces), target_percent=25)
     both = result_of((points, faces), target_percent=25, new_layer=True, then=(FLATTEN,))
+    assert same(alone, result_of((points, faces), target_percent=25, new_layer=True, then=(FLATTEN_VISIBLE,)))
     assert np.array_equal(both.vertices, np.vstack([points, alone.vertices]))
     assert np.array_equal(both.faces, np.vstack([faces, alone.faces + len(points)]))
 
@@ -170,6 +177,22 @@ def test_levels_are_layers_and_the_original_stays(result_of: Callable[..., MeshD
     assert np.array_equal(every.vertices[first], alone.vertices)
     assert np.array_equal(every.faces[len(faces) : last] - first.start, alone.faces)
     assert 0.2 * len(faces) - 2 <= len(every.faces) - last <= 0.2 * len(faces) + 1
+    shown = result_of((points, faces), row="lod", percents="50,20", then=(FLATTEN_VISIBLE,))
+    assert len(shown.faces) == len(every.faces) - last, "the last one"
+
+
+@pytest.mark.parametrize("new_layer", [False, True])
+def test_the_error_as_quality(result_of: Callable[..., MeshData], new_layer: bool) -> None:
+    """The file has, in single precision, the distance of every vertex to the original, as libigl finds it."""
+    points, faces = sheet()
+    plain = result_of((points, faces), target_percent=15)
+    result = result_of((points, faces), target_percent=15, error_as_quality=True, new_layer=new_layer)
+    assert same(plain, result)
+    squares, *_ = igl.point_mesh_squared_distance(result.vertices, points.astype("f8"), faces)
+    distances = np.sqrt(squares)
+    assert distances.max() > 0.1
+    # the rounding of a vertex that a double precision host writes as single, and of the distance itself
+    assert np.abs(result.quality - distances).max() < np.finfo("f4").eps * np.abs(points).max()
 
 
 @pytest.mark.parametrize("row", ["simplify", "lod"])
