@@ -4,7 +4,7 @@
 
 // The functions behind the public entries are large, and as they are inline, every program that calls one
 // compiles them all. Where LAPLACIAN_SIMPLIFY_COMPILED is defined their headers only declare them, and the
-// libraries of vcg_ext/core/compiled.cpp and vcg_ext/compiled.cpp have them (CMake: the option of that name).
+// files that are called compiled_*.cpp have them (CMake: the option of that name).
 // Their bodies are in the headers that end in _inl.h; nothing else includes those.
 #ifdef LAPLACIAN_SIMPLIFY_COMPILED
 #define VCG_EXT_INLINE
