@@ -4,15 +4,16 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <vcg/complex/complex.h>
 
 #include "vcg_ext/apply_decimation.h"
+#include "vcg_ext/core/base/compiled.h"
 #include "vcg_ext/core/levels.h"
+#include "vcg_ext/core/mesh/clean_input.h"
+#include "vcg_ext/core/pipeline.h"
 #include "vcg_ext/core/simplify.h"
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/mesh_attributes.h"
@@ -38,36 +39,13 @@ struct MeshSimplification : Simplification {
 
 /// Simplify, for both orders. An error bound is kept by the sweeps alone.
 /// \throws as Simplify
-inline Simplification Decimate(const MeshView& view, const DecimationParameters& parameters)
-{
-    if (parameters.order == Order::Sweeps) return Simplify(view, parameters);
-    CheckParameters(parameters);
-    CheckMesh(view);
-    if (parameters.maxError > 0)
-        throw std::invalid_argument("max_error = " + std::to_string(parameters.maxError) +
-                                    " needs order sweeps");
-    PipelineStages stages = StagesOf(parameters.effort);
-    stages.guardsCrossings = true;
-    stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;
-    const auto collapse = [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {
-        return CollapseInOrder(mesh, parameters, kept, progress);
-    };
-    return OnCleanInput(view, parameters, [&](const MeshView& mesh) {
-        return RunPipeline(mesh, parameters, stages, collapse);
-    });
-}
+VCG_EXT_INLINE Simplification Decimate(const MeshView& view, const DecimationParameters& parameters);
 
 /// SimplifyLevels, for both orders: in order strict every level is a run of its own.
 /// \throws as Decimate and CheckLevels
-inline std::vector<Simplification>
-DecimateLevels(const MeshView& view, const DecimationParameters& parameters, const std::vector<Level>& levels)
-{
-    if (parameters.order == Order::Sweeps) return SimplifyLevels(view, parameters, levels);
-    CheckLevels(levels);
-    for (const Level& level : levels) CheckParameters(ParametersOf(parameters, level));
-    return EachLevelByItself(parameters, levels,
-                             [&](const DecimationParameters& own) { return Decimate(view, own); });
-}
+VCG_EXT_INLINE std::vector<Simplification> DecimateLevels(const MeshView& view,
+                                                          const DecimationParameters& parameters,
+                                                          const std::vector<Level>& levels);
 
 /// Runs on the arrays of a mesh, with all that the parameters say of it. \param run called as run(view),
 /// returns a Simplification of each of its results
@@ -148,20 +126,11 @@ void ApplyDecimation(Mesh& mesh, const MeshSimplification& result, bool dropUnre
 /// The simplification of Zhang et al. (2012): their collapse alone in the pipeline of Simplify, without
 /// refinement and fold repair. \param progress may be empty
 /// \throws std::invalid_argument as CheckMesh and DecimateWeighted
-inline Simplification SimplifyWeighted(const MeshView& view, const WeightedParameters& weighted,
-                                       Progress progress = {})
-{
-    CheckMesh(view);
-    DecimationParameters parameters;
-    parameters.targetFaces = weighted.targetFaces;
-    parameters.progress = std::move(progress);
-    PipelineStages stages;
-    stages.refine = stages.repairFolds = false;
-    stages.collapseEnds = stages.repairBegins;
-    return RunPipeline(view, parameters, stages,
-                       [&](const MeshView& mesh, KeptForLater, const StageProgress& stage) {
-                           return ToSurface(mesh, DecimateWeighted(mesh, weighted, stage), false, 1);
-                       });
-}
+VCG_EXT_INLINE Simplification SimplifyWeighted(const MeshView& view, const WeightedParameters& weighted,
+                                               Progress progress = {});
 
 } // namespace vcg_ext
+
+#ifndef LAPLACIAN_SIMPLIFY_COMPILED
+#include "vcg_ext/decimate_inl.h"
+#endif

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analytic_meshes.h"
+#include "vcg_ext/core/crossings/crossing_keeper.h"
 #include "vcg_ext/core/levels.h"
 
 using namespace vcg_ext;

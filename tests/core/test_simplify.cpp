@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analytic_meshes.h"
+#include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/simplify.h"
 
 using namespace vcg_ext;

@@ -7,6 +7,7 @@ What is built stays in build/consumers, so that a second run compiles only what 
 
 import json
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -73,8 +74,10 @@ def assert_same_bytes() -> object:
 
 
 @pytest.mark.parametrize(("compiler", "standard"), list(zip(COMPILERS, STANDARDS, strict=True)))
-def test_subdirectory(tmp_path: Path, compiler: str, standard: int, assert_same_bytes: object) -> None:
-    settings = {"LAPLACIAN_SIMPLIFY_DIR": PROJECT, "STANDARDS": standard}
+def test_subdirectory_with_its_functions_in_a_library(
+    tmp_path: Path, compiler: str, standard: int, assert_same_bytes: object
+) -> None:
+    settings = {"LAPLACIAN_SIMPLIFY_DIR": PROJECT, "STANDARDS": standard, "LAPLACIAN_SIMPLIFY_COMPILED": "ON"}
     build = build_consumer("subdirectory", compiler, **settings)
     assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
 
@@ -119,13 +122,17 @@ def test_another_minor_version_is_refused(tmp_path: Path, prefix: Path, version:
 @pytest.mark.parametrize("standard", STANDARDS)
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_ten_lines_and_the_headers_alone(tmp_path: Path, compiler: str, standard: int) -> None:
-    program, dependencies = tmp_path / "octahedron", tmp_path / "octahedron.d"
+    program, dependencies, compiled = (tmp_path / name for name in ("octahedron", "octahedron.d", "octahedron.o"))
     warnings = ["-Wall", "-Wextra", "-Wshadow", "-Werror"]
     source = CONSUMERS / "bare" / "octahedron.cpp"
-    command = [compiler, f"-std=c++{standard}", *warnings, "-I", PROJECT, "-MMD", "-MF", dependencies, source]
-    done = run(*command, "-o", program)
+    command = [compiler, f"-std=c++{standard}", *warnings, "-I", PROJECT, "-MMD", "-MF", dependencies, "-c", source]
+    done = run(*command, "-o", compiled)
     assert done.returncode == 0, done.stderr
+    assert run(compiler, compiled, "-o", program).returncode == 0
     assert run(program).returncode == 0
+    symbols = run("nm", "-C", compiled).stdout.splitlines()
+    assert any(" W vcg_ext::Simplify(" in symbol for symbol in symbols), "inline: other files may include it, too"
+    assert [symbol for symbol in symbols if re.search(r" [TDB] .*\bvcg_ext::", symbol)] == []
     headers = [Path(word) for word in dependencies.read_text().split() if word.endswith(".h")]
     assert headers
     assert all(header.is_relative_to(PROJECT / "vcg_ext" / "core") for header in headers)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "test_meshes.h"
+#include "vcg_ext/core/descriptor/laplacian_passes.h"
 #include "vcg_ext/descriptors.h"
 
 using namespace vcg_ext;

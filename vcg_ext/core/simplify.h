@@ -3,19 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/compiled.h"
 #include "vcg_ext/core/base/progress.h"
-#include "vcg_ext/core/bound/bound_keeper.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
-#include "vcg_ext/core/collapse/engine.h"
-#include "vcg_ext/core/mesh/clean_input.h"
+#include "vcg_ext/core/mesh/corner_attributes.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/pipeline.h"
@@ -74,87 +68,21 @@ inline void CheckForSweeps(const MeshView& view, const DecimationParameters& par
         throw std::invalid_argument("order = strict needs vcg_ext/decimate.h");
 }
 
-/// CollapseEngine as the first stage of the pipeline.
+/// CollapseEngine as the first stage of the pipeline. \pre the parameters outlive it
 struct SweepCollapse {
     const DecimationParameters& parameters;
     BoundKeeper* bound = nullptr;
 
-    CollapsedSurface operator()(const MeshView& view, KeptForLater kept, StageProgress progress) const
-    {
-        if (!bound) return Run(view, kept, std::move(progress));
-        kept.bound = &bound->task;
-        for (int run = 0;; ++run) { // again, more careful, where the certificate fails
-            constexpr int kRuns = 5;
-            CollapsedSurface surface = Run(view, kept, progress.Part(20 * run, 20 * run + 20));
-            if (bound->Accepts(surface.coveredBy, ResultOf(view, surface)) || run + 1 == kRuns)
-                return surface;
-        }
-    }
+    VCG_EXT_INLINE CollapsedSurface operator()(const MeshView& view, KeptForLater kept,
+                                               StageProgress progress) const;
 
   private:
-    CollapsedSurface Run(const MeshView& view, KeptForLater kept, StageProgress progress) const
-    {
-        CollapseEngine engine(view, parameters, kept, std::move(progress));
-        engine.Collapse(parameters.targetFaces);
-        return std::move(engine).Extract();
-    }
+    VCG_EXT_INLINE CollapsedSurface Run(const MeshView& view, const KeptForLater& kept,
+                                        StageProgress progress) const;
 };
 
-/// DecimationParameters::weldDistance in the mesh's unit of length.
-inline double WeldDistance(const MeshView& view, const DecimationParameters& parameters)
-{
-    if (!(parameters.weldDistance > 0)) return 0;
-    return parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit;
-}
-
-/// Turns the result of a cleaned input into one of \p view: faces and counts are the input's.
-inline void NameAsInput(const MeshView& view, const CleanedInput& clean, Simplification& result)
-{
-    for (std::uint32_t& face : result.mesh.faceOrigin) face = clean.FaceOrigin(face);
-    result.report.facesBefore = view.faceCount;
-    if (result.report.stopReason == StopReason::Cancelled)
-        result.report.faces = view.faceCount;
-    else
-        result.report.cleaning = clean.Report();
-}
-inline void NameAsInput(const MeshView& view, const CleanedInput& clean, std::vector<Simplification>& levels)
-{
-    for (Simplification& level : levels) NameAsInput(view, clean, level);
-}
-
-/// Runs on what is left of a mesh when it has been cleaned, and names faces as the input does.
-/// \param run called as run(view), returns a Simplification or several
-/// \throws std::invalid_argument if no face is left
-template <class Run>
-auto OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
-{
-    if (!parameters.cleanInput) return run(view);
-    const CleanedInput clean(view, WeldDistance(view, parameters), parameters.threads);
-    if (clean.View().faceCount == 0)
-        throw std::invalid_argument("weld_distance = " + std::to_string(parameters.weldDistance) +
-                                    " leaves no face: every one has two corners that are welded");
-    auto result = run(clean.View());
-    NameAsInput(view, clean, result);
-    return result;
-}
-
-inline PipelineStages StagesOfSweeps(Effort effort)
-{
-    PipelineStages stages = StagesOf(effort);
-    stages.guardsCrossings = true;
-    if (!stages.refine) stages.collapseEnds = stages.repairBegins;
-    return stages;
-}
-
-/// The sweep engine from a mesh to its report.
-inline Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
-{
-    PipelineStages stages = StagesOfSweeps(parameters.effort);
-    std::optional<BoundKeeper> bound;
-    if (parameters.maxError > 0)
-        stages.bound = &bound.emplace(view, parameters.maxError, ResolveThreads(parameters.threads));
-    return RunPipeline(view, parameters, stages, SweepCollapse{parameters, stages.bound});
-}
+/// The sweep engine from a mesh to its report. \pre CheckForSweeps passes; the input is taken as it is
+VCG_EXT_INLINE Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters);
 
 /// Simplifies a mesh of plain arrays, which stays as it is. The collapse is that of CollapseEngine.
 ///
@@ -166,10 +94,10 @@ inline Simplification RunSweeps(const MeshView& view, const DecimationParameters
 /// \throws std::invalid_argument as CheckForSweeps; std::length_error for 2^29 faces and more;
 ///         std::bad_alloc
 /// \pre indices of the view are below its vertexCount
-inline Simplification Simplify(const MeshView& view, const DecimationParameters& parameters)
-{
-    CheckForSweeps(view, parameters);
-    return OnCleanInput(view, parameters, [&](const MeshView& mesh) { return RunSweeps(mesh, parameters); });
-}
+VCG_EXT_INLINE Simplification Simplify(const MeshView& view, const DecimationParameters& parameters);
 
 } // namespace vcg_ext
+
+#ifndef LAPLACIAN_SIMPLIFY_COMPILED
+#include "vcg_ext/core/simplify_inl.h"
+#endif

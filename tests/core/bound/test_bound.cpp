@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "analytic_meshes.h"
+#include "vcg_ext/core/bound/bound_keeper.h"
+#include "vcg_ext/core/bound/piece_proof.h"
 #include "vcg_ext/core/simplify.h"
 
 using namespace vcg_ext;

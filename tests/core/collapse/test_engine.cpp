@@ -13,6 +13,8 @@
 #include "analytic_meshes.h"
 #include "mesh_checks.h"
 #include "vcg_ext/core/collapse/engine.h"
+#include "vcg_ext/core/collapse/initialize.h"
+#include "vcg_ext/core/collapse/load.h"
 
 using namespace vcg_ext;
 using test_meshes::IndexedMesh;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "surface_pairs.h"
+#include "vcg_ext/core/refine/renewed_origins.h"
 #include "vcg_ext/core/simplify.h"
 
 using namespace test_meshes;

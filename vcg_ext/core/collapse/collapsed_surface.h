@@ -19,6 +19,18 @@
 namespace vcg_ext
 {
 
+struct BoundTask;
+
+/// What the stages behind the collapse need of it.
+struct KeptForLater {
+    bool original = false;   ///< CollapsedSurface::original and root
+    bool descriptor = false; ///< CollapsedSurface::descriptor
+    BoundTask* bound =
+        nullptr; ///< keeps both surfaces this close, CollapsedSurface::coveredBy; null: no bound
+    /// One byte an input vertex, not 0: faces may not cross where it goes; null: they may everywhere.
+    const std::vector<std::uint8_t>* guarded = nullptr;
+};
+
 /// What a collapse hands on to the stages behind it: the surface that is left and, where the refinement needs
 /// it, the original in the same frame.
 struct CollapsedSurface {

@@ -12,7 +12,9 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/mesh/corner_attributes.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
+#include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/weld.h"
+#include "vcg_ext/core/parameters.h"
 
 namespace vcg_ext
 {
@@ -137,5 +139,12 @@ class CleanedInput
         view_.attributes = &attributes_;
     }
 };
+
+/// DecimationParameters::weldDistance in the mesh's unit of length.
+inline double WeldDistance(const MeshView& view, const DecimationParameters& parameters)
+{
+    if (!(parameters.weldDistance > 0)) return 0;
+    return parameters.weldDistance / 100 * kFrameDiagonal * FrameOf(view).unit;
+}
 
 } // namespace vcg_ext
