@@ -134,9 +134,9 @@ const std::vector<Parameter>& Parameters()
          "bounding box (0-100); proven at the end. The target is then the lower end: the decimation stops at whichever "
          "comes first. 0: no bound. Needs order \"sweeps\".", {}},
         {"feature_weight", {kGuided, kLevels}, Type::Real, {2}, {0, 50}, "", "Feature weight (0-50)",
-         "How much more collapses near features cost (lambda of Zhang et al., PCM 2012). 0: plain decimation. 2: in "
-         "nearly all cases less error at features, for a few percent more rms error overall. 4 to 8: features take "
-         "priority. Values above about 10 are rarely useful.", {}, kSlider},
+         "How much more collapses near features cost (lambda of Zhang et al., PCM 2012). 0: plain decimation. 2: a fifth "
+         "less error at features, for a few percent more rms error overall. 4: less at features, more elsewhere. Larger "
+         "values gain little.", {}, kSlider},
         {"feature_weight", {kWeighted}, Type::Real, {10}, {0, 50}, "", "Feature weight (0-50)",
          "Lambda of Eq. 6 (Zhang et al., PCM 2012). 0: the plain error function.", {}, kSlider},
         {"effort", {kGuided, kLevels}, Type::Choice, {1}, Choices(efforts), "", "Effort",

@@ -209,8 +209,8 @@ void CopyCustomAttributes(const Mesh& from, Mesh& to)
     using Allocator = vcg::tri::Allocator<Mesh>;
     const auto copyAll = [&](const auto& all, const auto& elements, const auto& add) {
         for (const auto& custom : all) {
-            const auto copy = [&](auto number) {
-                using Number = decltype(number);
+            const auto copy = [&](const auto& number) {
+                using Number = std::decay_t<decltype(number)>;
                 if (custom._name.empty() || custom._type != typeid(Number)) return;
                 auto target = add(number, custom._name);
                 std::size_t next = 0;
@@ -224,11 +224,11 @@ void CopyCustomAttributes(const Mesh& from, Mesh& to)
             copy(vcg::Point3d{});
         }
     };
-    copyAll(from.vert_attr, from.vert, [&](auto number, const std::string& name) {
-        return Allocator::template GetPerVertexAttribute<decltype(number)>(to, name);
+    copyAll(from.vert_attr, from.vert, [&](const auto& number, const std::string& name) {
+        return Allocator::template GetPerVertexAttribute<std::decay_t<decltype(number)>>(to, name);
     });
-    copyAll(from.face_attr, from.face, [&](auto number, const std::string& name) {
-        return Allocator::template GetPerFaceAttribute<decltype(number)>(to, name);
+    copyAll(from.face_attr, from.face, [&](const auto& number, const std::string& name) {
+        return Allocator::template GetPerFaceAttribute<std::decay_t<decltype(number)>>(to, name);
     });
 }
 

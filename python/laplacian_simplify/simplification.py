@@ -132,9 +132,10 @@ def simplify(
         target_percent: percent of the faces to keep, above 0 to 100.
         max_error: no point of either surface is farther than this from the other, in percent of the diagonal of the
             bounding box; with a target, whichever comes first, without one as few faces as it allows. 0: no bound.
-        feature_weight: lambda, 0 to 50: 0 plain decimation, 2 (default) ahead of it everywhere, 4 to 8 features first.
-        effort: geometry against time: fast, balanced (default) or best.
-        descriptor: what tells features from the rest; curvatures for mesh sets and files only.
+        feature_weight: lambda, 0 to 50: 0 plain decimation, 2 (default) suits most meshes, 4 less error at features and
+            more elsewhere.
+        effort: quality/speed trade-off: fast, balanced (default) or best.
+        descriptor: measure that decides what counts as a feature; curvatures for mesh sets and files only.
         boundary: open borders are free, preserved (default) or locked.
         keep_attributes: colors, texture coordinates and numbers guide the collapse and are interpolated, and their
             seams stay (default); otherwise values are those of the vertices and faces that remain. Of vertices at one
