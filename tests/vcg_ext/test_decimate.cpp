@@ -8,6 +8,7 @@
 #include <set>
 
 #include "test_meshes.h"
+#include "vcg_ext/core/crossings/crossing_keeper.h"
 #include "vcg_ext/decimate.h"
 
 using namespace vcg_ext;

@@ -16,7 +16,6 @@
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
-#include "vcg_ext/core/descriptor/laplacian.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/mesh/surface.h"
@@ -42,18 +41,6 @@ OrderedDecimation Decimated(CollapsibleMesh& mesh, Method method, std::size_t ta
     return mesh.Result(method, reason);
 }
 
-/// The view's guidance; without it, the descriptor of polygons, which their triangles do not tell.
-inline Guidance GuidanceOf(const MeshView& view, double featureWeight)
-{
-    Guidance guidance;
-    guidance.featureWeight = featureWeight;
-    if (view.guidance != nullptr)
-        guidance.given.assign(view.guidance, view.guidance + view.vertexCount);
-    else if (view.fauxEdges != nullptr)
-        guidance.descriptor = LaplacianDescriptor(view);
-    return guidance;
-}
-
 /// \throws std::invalid_argument where \p values are neither absent nor one a vertex
 template <class Value>
 void CheckLength(const std::vector<Value>& values, const MeshView& view, const char* name)
@@ -72,7 +59,7 @@ VCG_EXT_INLINE OrderedDecimation DecimateOrdered(const MeshView& view, const Dec
     CollapsibleMesh mesh(view);
     GuidedParameters guided;
     if (guarded) guided.guarded = *guarded;
-    guided.guidance = ordered_detail::GuidanceOf(view, parameters.featureWeight);
+    guided.guidance = GuidanceOf(view, parameters.featureWeight);
     guided.boundary = parameters.boundary;
     guided.preserveTopology = parameters.preserveTopology;
     guided.fixedVertices = mesh.FixedVertices(parameters.boundary);

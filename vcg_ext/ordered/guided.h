@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "vcg_ext/core/collapse/placement.h"
+#include "vcg_ext/core/descriptor/laplacian.h"
+#include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/crossing_guard.h"
 #include "vcg_ext/ordered/legality.h"
@@ -30,6 +32,18 @@ struct GuidedParameters {
     std::vector<std::uint8_t> fixedVertices; ///< not 0: neither moves nor goes; empty: none
     std::vector<std::uint8_t> guarded;       ///< not 0: faces may not cross where it goes; empty: they may
 };
+
+/// The view's guidance; without it, the descriptor of polygons, which their triangles do not tell.
+inline Guidance GuidanceOf(const MeshView& view, double featureWeight)
+{
+    Guidance guidance;
+    guidance.featureWeight = featureWeight;
+    if (view.guidance != nullptr)
+        guidance.given.assign(view.guidance, view.guidance + view.vertexCount);
+    else if (view.fauxEdges != nullptr)
+        guidance.descriptor = LaplacianDescriptor(view);
+    return guidance;
+}
 
 /// The feature-guided quadric edge collapse, as a Method of CollapseRun.
 ///

@@ -20,6 +20,7 @@
 #include "vcg_ext/core/collapse/initialize.h"
 #include "vcg_ext/core/collapse/load.h"
 #include "vcg_ext/ordered/decimate.h"
+#include "vcg_ext/ordered/guided.h"
 
 using namespace vcg_ext;
 using test_meshes::IndexedMesh;
@@ -174,7 +175,7 @@ class Ordered : public GuidedCollapse<OrderedMesh>
     static GuidedParameters Parameters(const MeshView& view, const Setting& setting, CollapsibleMesh& mesh)
     {
         GuidedParameters parameters;
-        parameters.guidance = ordered_detail::GuidanceOf(view, double{setting.featureWeight});
+        parameters.guidance = GuidanceOf(view, double{setting.featureWeight});
         parameters.boundary = setting.boundary;
         parameters.fixedVertices = mesh.FixedVertices(setting.boundary);
         return parameters;

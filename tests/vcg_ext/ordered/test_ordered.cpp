@@ -9,6 +9,7 @@
 #include "mesh_checks.h"
 #include "test_meshes.h"
 #include "vcg_ext/ordered/decimate.h"
+#include "vcg_ext/ordered/guided.h"
 
 using namespace vcg_ext;
 using namespace test_meshes;
