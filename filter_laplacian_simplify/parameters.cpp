@@ -142,8 +142,8 @@ const std::vector<Parameter>& Parameters()
         {"effort", {kGuided, kLevels}, Type::Choice, {1}, Choices(efforts), "", "Effort",
          "Quality/speed trade-off. Fast: collapses only (quadrics of Garland and Heckbert, SIGGRAPH 1997; Lindstrom and "
          "Turk, IEEE Visualization 1998). Balanced: also refines the result. Best: also takes vertices from where they "
-         "are needed least to where they gain most, and lowers the largest distances; about two and a half times the "
-         "time of balanced.", efforts},
+         "are needed least to where they gain most, and lowers the largest distances; about three times the time of "
+         "balanced.", efforts},
         {"descriptor", {kDescriptor}, Type::Choice, {0}, Choices(computed), "", "Descriptor",
          "Shape descriptor to compute. The Laplacian one is Eq. 5 of Zhang et al. (PCM 2012).", computed},
         {"descriptor", {kSelection}, Type::Choice, {0}, Choices(computedOrStored), "", "Descriptor",

@@ -150,10 +150,18 @@ def _run(
         answer["text"] = report_text(command.filter, report, values, files.shown_input, files.shown_output)
         if outputs:
             facts = _facts(report, json.loads(answer["text"])["parameters"])
-            in_a_process(drawing(scene, facts, drawn), scratch, DRAW, quiet=options.quiet, drawn=outputs.shown)
+            outputs.check_apart(_textures(files, answer["textures"]))
+            job = drawing(scene, facts, drawn, threads=values.get("threads", 0))
+            in_a_process(job, scratch, DRAW, quiet=options.quiet, drawn=outputs.shown)
         if staged_report:
             staged_report.write_text(answer["text"], encoding="utf-8")
     return answer
+
+
+def _textures(files: Files, names: list[str]) -> dict[str, str]:
+    """Where the textures of the input are, and those of the output will be, by what messages call them."""
+    folders = [Path(path).parent for path in (files.input, files.output)]
+    return {f"the texture {folder / name}": str(folder / name) for folder in folders for name in names}
 
 
 def _facts(report: Mapping[str, Any], parameters: Mapping[str, Any]) -> "Facts":

@@ -90,7 +90,9 @@ def _bar(quiet: bool) -> Iterator[Progress]:
 
 def _crashed(crash: ChildCrashError, arguments: dict[str, Any], drawn: str) -> MeshFileError:
     if drawn:
-        return MeshFileError(f"{drawn} cannot be drawn: VTK ended ({crash.cause}); nothing was written")
+        from .pictures.outputs import end_of_drawing
+
+        return MeshFileError(f"{drawn} cannot be drawn: {end_of_drawing(crash.cause)}; nothing was written")
     name, what = {
         "reading": (arguments["shown_source"], "cannot be read: the reader"),
         "working": (arguments["shown_source"], "cannot be worked on: the filter"),

@@ -47,7 +47,7 @@ def run(
         scene: a file to write both meshes to for drawing them, if they are to be drawn.
 
     Returns:
-        The numbers of the report, and notes on what was left out.
+        The numbers of the report, notes on what was left out, and the names of the textures.
     """
     mesh_set, reading = _read(stage, source)
     before = _surface(mesh_set, shown_source) if scene else None
@@ -58,7 +58,11 @@ def run(
 
         Scene(before, _surface(mesh_set, shown_target)).save(Path(scene))
     notes = _write(mesh_set, reading, function, staged, shown_target)
-    return {"report": report.to_dict(), "notes": [f"{shown_source}: {note}" for note in reading.notes] + notes}
+    return {
+        "report": report.to_dict(),
+        "notes": [f"{shown_source}: {note}" for note in reading.notes] + notes,
+        "textures": [texture.name for texture in reading.textures],
+    }
 
 
 def run_levels(
@@ -113,9 +117,9 @@ def _surface(mesh_set: "pymeshlab.MeshSet", shown: str) -> "Surface":
 
     mesh = mesh_set.current_mesh()
     try:
-        return checked_surface(Path(shown).name, mesh.vertex_matrix(), mesh.face_matrix())
+        return checked_surface(shown, mesh.vertex_matrix(), mesh.face_matrix())
     except ValueError as error:
-        raise MeshFileError(f"{shown} cannot be drawn: {error}") from None
+        raise MeshFileError(f"{error}; it cannot be drawn") from None
 
 
 def _write(

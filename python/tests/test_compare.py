@@ -127,7 +127,9 @@ def test_files_need_no_pymeshlab(squares: tuple[Path, Path]) -> None:
         ((SQUARE, TWO[:0]), ValueError, "A has no faces"),
         ((SQUARE, TWO + 2), ValueError, "A has a face with the vertex 5, which is outside 0..3"),
         ((SQUARE, TWO - 1), ValueError, "A has a face with the vertex -1, which is outside 0..3"),
-        ((SQUARE * np.nan, TWO), ValueError, "A has coordinates that are not finite at 4 of 4 vertices"),
+        ((SQUARE * np.nan, TWO), ValueError, "A has coordinates that are not finite numbers up to 1e+18 at 4 of 4"),
+        ((SQUARE * 1e19, TWO), ValueError, "A has coordinates that are not finite numbers up to 1e+18 at 3 of 4"),
+        ((SQUARE * 1e-150, TWO), ValueError, "A has a bounding box with a diagonal of 1.41e-150, which is too small"),
         ((SQUARE * 0 + 1, TWO), ValueError, "A has all its faces in one point"),
         ((SQUARE[:, :2], TWO), ValueError, "the vertices of A have the shape (4, 2), not (n, 3)"),
         ((SQUARE.tolist(), TWO), TypeError, "the vertices of A must be a NumPy array of numbers, not list"),
@@ -152,6 +154,19 @@ def test_a_loose_vertex_is_no_part_of_a_surface() -> None:
 def test_numbers_of_samples_have_a_range(samples: int) -> None:
     with pytest.raises(ValueError, match=r"samples = .* is outside"):
         ls.compare((SQUARE, TWO), (SQUARE, TWO), samples=samples)
+
+
+@pytest.mark.parametrize("threads", [-1, 1025, 99999999999])
+def test_numbers_of_threads_have_a_range(threads: int) -> None:
+    with pytest.raises(ValueError, match=rf"threads = {threads:,} is outside \[0, 1,024\]"):
+        ls.compare((SQUARE, TWO), (SQUARE, TWO), threads=threads)
+
+
+@pytest.mark.parametrize("name", ["samples", "threads"])
+def test_numbers_that_are_not_whole_are_refused(name: str) -> None:
+    with pytest.raises(TypeError, match=f"{name} must be a whole number, not float"):
+        ls.compare((SQUARE, TWO), (SQUARE, TWO), **{name: 1.5})
+    ls.compare((SQUARE, TWO), (SQUARE, TWO), **{name: np.int64(2)})
 
 
 def test_the_report_can_be_printed_and_kept() -> None:

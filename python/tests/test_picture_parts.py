@@ -13,11 +13,11 @@ import pytest
 
 import laplacian_simplify as ls
 from laplacian_simplify.comparison.distances import Distances, OneWay
-from laplacian_simplify.comparison.surface import Surface
+from laplacian_simplify.comparison.surface import Surface, checked_surface
 from laplacian_simplify.pictures import outputs
 from laplacian_simplify.pictures.error_map import color_limit, divide, error_map
 from laplacian_simplify.pictures.histogram import shares
-from laplacian_simplify.pictures.scene import titled
+from laplacian_simplify.pictures.scene import Facts, Scene, titled
 from laplacian_simplify.pictures.view import view_of
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
@@ -95,16 +95,24 @@ def test_a_plate_shows_its_face(thin: int) -> None:
     size = np.ones(3)
     size[thin] = 0.02
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * size
-    plate = Surface("plate", corners + 1000, np.array([[0, 3, 7], [0, 4, 7]], np.uint32))
+    plate = checked_surface("plate", corners + 1000, np.array([[0, 3, 7], [0, 4, 7]]))
     view = view_of(plate, plate)
     assert np.argmax(np.abs(view.direction)) == thin
     assert view.direction[2] > 0  # from above
     assert view.up[2] > 0
     assert np.linalg.norm(view.direction) == pytest.approx(1)
     assert view.up @ view.direction == pytest.approx(0, abs=1e-12)
-    placed = view.placed(plate.positions[plate.corners])
+    placed = view.placed(plate.positions)
     assert np.linalg.norm(np.ptp(placed, axis=0)) == pytest.approx(1)
     assert np.abs((placed - view.middle) @ view.up).max() == pytest.approx(view.height / 2)
+
+
+def test_names_of_any_bytes_can_be_drawn(tmp_path: Path) -> None:
+    name = str(tmp_path / "caf\udce9.off")
+    Scene(checked_surface(name, SQUARE, TWO), checked_surface("B", SQUARE, TWO)).save(tmp_path / "scene.npz")
+    assert Scene.load(tmp_path / "scene.npz").before.name == "caf?.off"
+    facts = Facts.of_run([], {"input": name}, {})
+    assert facts.numbers == [("input", name.replace("\udce9", "?"))]
 
 
 @pytest.mark.parametrize("last", [[2.0, 0, 1], [0.0, 1, 1]])  # up and down, and to the sides

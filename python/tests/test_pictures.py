@@ -166,6 +166,20 @@ def test_large_meshes_are_reduced_for_the_viewer(monkeypatch: pytest.MonkeyPatch
     assert errors.max() > exact / 2
 
 
+def test_meshes_that_cannot_be_reduced_are_shown_by_some_of_their_faces(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Separate triangles: none of them may vanish."""
+    from laplacian_simplify.comparison.surface import checked_surface
+
+    vertices, faces = wave()
+    corners = vertices[faces]
+    apart = (0.9 * corners + 0.1 * corners.mean(axis=1, keepdims=True)).reshape(-1, 3)
+    surface = checked_surface("A", apart, np.arange(len(apart)).reshape(-1, 3))
+    monkeypatch.setattr(pages, "MOST_FACES", 500)
+    shown = pages._shown_by(surface, surface, 1)
+    assert 400 < len(shown.faces) <= 500
+    assert len(shown.positions) == 3 * len(shown.faces) == len(shown.errors)
+
+
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
     from playwright.sync_api import sync_playwright
@@ -234,7 +248,8 @@ def test_the_viewer_turns_by_hand_by_itself_and_back(drawn: Pages, browser: Any)
     opened.tab.locator("#back").click()
     assert np.abs(opened.canvas() - first).mean() < 0.001
     opened.tab.locator("#turn").check()
-    opened.tab.wait_for_timeout(500)
+    frames = "new Promise(done => { let left = 30; (function next() { left-- ? requestAnimationFrame(next) : done() })() })"
+    opened.tab.evaluate(frames)
     opened.tab.locator("#turn").uncheck()
     assert np.abs(opened.canvas() - first).mean() > 0.001
     opened.tab.keyboard.press("1")
@@ -281,7 +296,7 @@ def test_a_crash_while_drawing_is_a_message(
     assert command_line.main([*map(str, words), "--picture", str(tmp_path / "out" / "out.png")]) == 1
     said = capsys.readouterr().err
     assert_one_line(said)
-    assert "out.png cannot be drawn: VTK ended (SIGABRT); nothing was written" in said
+    assert "out.png cannot be drawn: the process that draws ended (SIGABRT); nothing was written" in said
     assert list((tmp_path / "out").iterdir()) == []
 
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What python/laplacian_simplify/pictures/viewer.js uses of three.js, and nothing else.
+// What python/laplacian_simplify/pictures/viewer.js may use of three.js.
 export {
     BufferAttribute, BufferGeometry, Color, DataTexture, DirectionalLight, DoubleSide, HemisphereLight,
     LinearFilter, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, OrthographicCamera, REVISION,

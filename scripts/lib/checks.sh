@@ -78,7 +78,8 @@ describe_installed() {
     uname -m
     nproc
     dpkg-query -W "$@" 2>/dev/null || true
-    cat "$cache"/{hosts,sources}/*/complete "$python_environment"/{complete,development,docs}
+    cat "$cache"/{hosts,sources}/*/complete "$python_environment"/{complete,development}
+    if [[ -f $python_environment/docs ]]; then cat "$python_environment/docs"; fi # scripts/package does without
 }
 
 # Prints where the time went: the steps of at least a second, the longest first.

@@ -113,6 +113,7 @@ run_python() {
 build_docs() {
     local output=$top/build/docs
     [[ $1 == html ]] || output+=-$1
+    rm -rf "$output" # a page that was removed
     "$python_environment/bin/python" -m sphinx -W --keep-going -q -E -b "$1" -d "$top/build/docs-state" \
         "$top/docs" "$output"
 }

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The comparison as a function."""
 
+import operator
 from os import PathLike
 from time import perf_counter
 from typing import Any
@@ -12,6 +13,7 @@ from .report import CompareReport, report_of
 from .sources import surface_of
 
 MOST_SAMPLES = 10**9
+MOST_THREADS = 1024
 
 
 def compare(
@@ -53,23 +55,29 @@ def compare(
     from ..pictures.outputs import Outputs
     from ..pictures.scene import Facts, Scene
 
-    samples = checked_samples(samples)
-    outputs = Outputs(picture, report)
+    samples, threads = checked(samples, threads)
+    outputs = Outputs(picture, report, names=("picture", "report"))
     outputs.check()
     surfaces = surface_of(a, "A"), surface_of(b, "B")
     start = perf_counter()
     found = measure(*surfaces, samples, threads)
     result = report_of(*surfaces, found, samples, perf_counter() - start)
     if outputs:
-        outputs.write(Scene(*surfaces), Facts.of_comparison(result, {"samples": samples}))
+        outputs.write(Scene(*surfaces), Facts.of_comparison(result, {"samples": samples}), samples, threads)
     return result
 
 
-def checked_samples(samples: int) -> int:
+def checked(samples: int, threads: int) -> tuple[int, int]:
     """
     Raises:
-        ValueError: it is no usable number of points.
+        TypeError: one of them is no whole number.
+        ValueError: one is outside its range.
     """
-    if not 1 <= samples <= MOST_SAMPLES:
-        raise ValueError(f"samples = {samples:,} is outside [1, {MOST_SAMPLES:,}]")
-    return int(samples)
+    for name, value, least, most in (("samples", samples, 1, MOST_SAMPLES), ("threads", threads, 0, MOST_THREADS)):
+        try:
+            operator.index(value)
+        except TypeError:
+            raise TypeError(f"{name} must be a whole number, not {type(value).__name__}") from None
+        if not least <= value <= most:
+            raise ValueError(f"{name} = {value:,} is outside [{least}, {most:,}]")
+    return int(samples), int(threads)

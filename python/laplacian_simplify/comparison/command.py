@@ -18,7 +18,7 @@ from ..following import in_a_process
 from ..pictures.outputs import DRAW, Outputs, drawing
 from ..pictures.scene import Facts
 from ..streams import say, show, write_out
-from .api import checked_samples
+from .api import checked
 from .report import LENGTHS, UNIT
 
 
@@ -29,7 +29,7 @@ def run_compare(options: argparse.Namespace) -> int:
         ValueError: the arguments do not fit together.
         OSError, RuntimeError, ImportError: as api.compare.
     """
-    samples = checked_samples(options.samples)
+    samples, threads = checked(options.samples, options.threads)
     inputs = {"A": options.input, "B": options.other}
     if options.input == options.other == STANDARD_INPUT:
         raise ValueError("A and B are both -, but there is one standard input")
@@ -39,7 +39,7 @@ def run_compare(options: argparse.Namespace) -> int:
     outputs = Outputs(options.picture, options.report)
     outputs.check({**inputs, "--json": options.json if to_file else STANDARD_OUTPUT})
     shown = [printable(path) if path != STANDARD_INPUT else "standard input" for path in inputs.values()]
-    arguments = {"a": options.input, "b": options.other, "samples": samples, "threads": options.threads}
+    arguments = {"a": options.input, "b": options.other, "samples": samples, "threads": threads}
     with ExitStack() as stack:
         staged_report = stack.enter_context(staged_output(options.json)) if to_file else None
         staged = stack.enter_context(outputs.staged())
@@ -49,7 +49,8 @@ def run_compare(options: argparse.Namespace) -> int:
         arguments |= {"scene": str(scene) if outputs else None, "shown_source": f"{shown[0]} or {shown[1]}"}
         answer = in_a_process(arguments, scratch, "comparison.work:compare", quiet=options.quiet)
         if outputs:
-            in_a_process(drawing(scene, Facts(**answer["facts"]), staged), scratch, DRAW, drawn=outputs.shown)
+            job = drawing(scene, Facts(**answer["facts"]), staged, samples, threads)
+            in_a_process(job, scratch, DRAW, quiet=options.quiet, drawn=outputs.shown)
         text = _json(answer["report"], shown, samples)
         if staged_report:
             staged_report.write_text(text, encoding="utf-8")

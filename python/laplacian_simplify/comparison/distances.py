@@ -104,13 +104,13 @@ def _one_way(of: Surface, to: Surface, samples: int, threads: int) -> OneWay:
     points, area = spread(of.positions, of.faces, samples)
     return OneWay(
         distances(to.positions, to.faces, points, threads),
-        distances(to.positions, to.faces, of.positions[of.corners], threads),
+        distances(to.positions, to.faces, of.positions, threads),
         area,
     )
 
 
 def _feature_rms(a: Surface, at_corners: Array) -> float | None:
-    values = descriptor(a.positions, a.faces)[a.corners]
+    values = descriptor(a.positions, a.faces)
     if not values.max(initial=0) > 0:
         return None
     count = -(-len(values) * _FEATURE_SHARE // 1)

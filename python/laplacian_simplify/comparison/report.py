@@ -106,12 +106,12 @@ def report_of(a: Surface, b: Surface, found: Distances, samples: int, seconds: f
     features = found.feature_rms
     return CompareReport(
         seconds=seconds,
-        name_a=a.name,
-        name_b=b.name,
+        name_a=a.title,
+        name_b=b.title,
         faces_a=len(a.faces),
-        vertices_a=len(a.corners),
+        vertices_a=len(a.positions),
         faces_b=len(b.faces),
-        vertices_b=len(b.corners),
+        vertices_b=len(b.positions),
         diagonal=a.diagonal,
         hausdorff=percent * found.largest,
         rms=percent * found.rms,

@@ -3,7 +3,6 @@
 """Meshes of any kind as surfaces: files, arrays, and meshes of other libraries."""
 
 from os import PathLike, fspath
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from ..conversions import library_of
 from ..files.errors import printable
 from ..files.reading import read_data
+from ..files.source import STANDARD_INPUT
 from ..running import is_mesh_source
 from .surface import Surface, checked_surface
 
@@ -30,7 +30,8 @@ def surface_of(mesh: Any, letter: str) -> Surface:
     """
     if isinstance(mesh, str | PathLike):
         data = read_data(mesh)
-        return checked_surface(printable(Path(fspath(mesh)).name), data.vertices, data.triangles)
+        name = "standard input" if mesh == STANDARD_INPUT else printable(fspath(mesh))
+        return checked_surface(name, data.vertices, data.triangles)
     if is_mesh_source(mesh):
         if mesh.mesh_number() == 0:
             raise ValueError(f"{letter} is a mesh set without a mesh")

@@ -14,6 +14,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from ..child import Child, ChildCrashError
+from ..comparison.arguments import SAMPLES
 from ..file_arguments import check_apart
 from ..files.errors import printable
 from ..files.staging import check_target, staged_output
@@ -21,6 +22,8 @@ from ..files.staging import check_target, staged_output
 if TYPE_CHECKING:
     from .scene import Facts, Scene
 
+VTK_WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
+"""The variable with VTK's name of a window, of somebody who knows better."""
 _NEEDED = ("matplotlib", "pyvista")
 # What VTK draws with where there is no display, the first that is there: a library, and VTK's name for its window.
 _OFF_SCREEN = (("libEGL.so.1", "vtkEGLRenderWindow"), ("libOSMesa.so.8", "vtkOSOpenGLRenderWindow"))
@@ -32,6 +35,8 @@ class Outputs:
 
     picture: str | PathLike[str] | None = None
     page: str | PathLike[str] | None = None
+    names: tuple[str, str] = ("--picture", "--report")
+    """How messages name the two arguments."""
 
     def __bool__(self) -> bool:
         return self.picture is not None or self.page is not None
@@ -49,15 +54,22 @@ class Outputs:
         """
         if not self:
             return
-        _check_name("--picture", self.picture, (".png",), "a picture is PNG")
-        _check_name("--report", self.page, (".html", ".htm"), "the page is HTML")
-        for option, path in (("--picture", self.picture), ("--report", self.page)):
-            if path is not None:
-                check_apart(option, os.fspath(path), others or {})
+        _check_name(self.names[0], self.picture, (".png",), "a picture is PNG")
+        _check_name(self.names[1], self.page, (".html", ".htm"), "the page is HTML")
+        self.check_apart(others or {})
         require_pictures()
         for path in (self.picture, self.page):
             if path is not None:
                 check_target(path)
+
+    def check_apart(self, others: Mapping[str, str]) -> None:
+        """
+        Raises:
+            ValueError: one of the two would replace one of these files, which are named as messages name them.
+        """
+        for name, path in zip(self.names, (self.picture, self.page), strict=True):
+            if path is not None:
+                check_apart(name, os.fspath(path), others)
 
     @contextmanager
     def staged(self) -> Iterator[dict[str, str | None]]:
@@ -73,8 +85,8 @@ class Outputs:
             }
             yield paths
 
-    def write(self, scene: "Scene", facts: "Facts") -> None:
-        """Draws, in a process of its own; a file appears whole or not at all.
+    def write(self, scene: "Scene", facts: "Facts", samples: int, threads: int) -> None:
+        """Draws what was measured at so many points a side, in a process of its own; a file appears whole or not at all.
 
         Raises:
             OSError: a file cannot be written.
@@ -83,11 +95,11 @@ class Outputs:
         with self.staged() as staged, TemporaryDirectory(prefix="laplacian-simplify-") as scratch:
             path = Path(scratch) / "scene.npz"
             scene.save(path)
-            child = Child(DRAW, drawing(path, facts, staged))
+            child = Child(DRAW, drawing(path, facts, staged, samples, threads), scratch=scratch)
             try:
                 child.answer()
             except ChildCrashError as crash:
-                raise RuntimeError(f"{self.shown} cannot be drawn: VTK ended ({crash.cause})") from None
+                raise RuntimeError(f"{self.shown} cannot be drawn: {end_of_drawing(crash.cause)}") from None
             finally:
                 child.end()
 
@@ -101,9 +113,18 @@ DRAW = "pictures.work:draw"
 """The function that draws, for a process of its own."""
 
 
-def drawing(scene: Path, facts: "Facts", staged: dict[str, str | None]) -> dict[str, Any]:
+def drawing(
+    scene: Path, facts: "Facts", staged: dict[str, str | None], samples: int = SAMPLES, threads: int = 0
+) -> dict[str, Any]:
     """Its arguments."""
-    return {"scene": str(scene), "facts": asdict(facts), **staged}
+    return {"scene": str(scene), "facts": asdict(facts), **staged, "samples": samples, "threads": threads}
+
+
+def end_of_drawing(cause: str) -> str:
+    """What became of the process that draws, which ended without an answer."""
+    if cause == "SIGKILL":
+        return "the process that draws was killed (SIGKILL), as happens where memory runs out"
+    return f"the process that draws ended ({cause})"
 
 
 def require_pictures() -> None:
@@ -119,7 +140,8 @@ def require_pictures() -> None:
                 "python -m pip install 'laplacian-simplify[pictures]'",
                 name=name,
             )
-    off_screen_window()
+    if VTK_WINDOW not in os.environ:
+        off_screen_window()
 
 
 def off_screen_window() -> str:

@@ -3,8 +3,8 @@
 """The page: one HTML file with the picture, a viewer, a histogram and the numbers, which asks for nothing else.
 
 Meshes are stored as base64 of 32-bit floats and whole numbers. A mesh of more than ``MOST_FACES`` is shown by as many
-of them, made by the fast effort of simplify; its colors are the distances of the vertices that these were. With that, a
-page has at most about 15 MB.
+of them, made by the fast effort of simplify, or chosen evenly where that cannot make so few; its colors are the distances
+of the vertices that these were. With that, a page has at most about 15 MB.
 """
 
 import base64
@@ -29,7 +29,7 @@ MOST_FACES = 100_000
 """Of either mesh in the viewer, divided faces included."""
 
 
-def page_text(scene: Scene, found: Distances, facts: Facts, look: Look, picture: bytes) -> str:
+def page_text(scene: Scene, found: Distances, facts: Facts, look: Look, picture: bytes, threads: int = 0) -> str:
     """The page.
 
     Args:
@@ -38,7 +38,9 @@ def page_text(scene: Scene, found: Distances, facts: Facts, look: Look, picture:
         facts: what is written; it is escaped here.
         look: how they are shown.
         picture: PNG.
+        threads: 0 all.
     """
+    maps = [_shown_by(scene.before, scene.after, threads), _shown_by(scene.after, scene.before, threads)]
     percent = 100 / look.diagonal if look.diagonal > 0 else 1.0
     before, after = scene.before, scene.after
     first, second = facts.labels
@@ -55,7 +57,7 @@ def page_text(scene: Scene, found: Distances, facts: Facts, look: Look, picture:
         "half": f"{look.limit * percent / 2:.3g}",
         "limit_units": f"{look.limit:.3g}",
         "half_units": f"{look.limit / 2:.3g}",
-        "shown": _what_is_shown(scene),
+        "shown": _what_is_shown(scene, maps),
     }
     parts = {
         "colors": ", ".join(COLORS),
@@ -64,7 +66,7 @@ def page_text(scene: Scene, found: Distances, facts: Facts, look: Look, picture:
         "summary": _rows(facts.summary),
         "numbers": _rows(facts.numbers),
         "parameters": _rows(facts.parameters),
-        "data": _script_safe(json.dumps(_data(scene, look))),
+        "data": _script_safe(json.dumps(_data(maps, look))),
         "three": _part("three.min.js"),
         "viewer": _part("viewer.js"),
     }
@@ -85,20 +87,20 @@ def _rows(rows: Rows) -> str:
     return "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
 
 
-def _what_is_shown(scene: Scene) -> str:
+def _what_is_shown(scene: Scene, maps: list[ErrorMap]) -> str:
     reduced = [
-        f"{surface.name} has {len(surface.faces):,} faces; the viewer shows it with {MOST_FACES:,}."
-        for surface in (scene.before, scene.after)
+        f"{surface.name} has {len(surface.faces):,} faces; the viewer shows it with {len(shown.faces):,}."
+        for surface, shown in zip((scene.before, scene.after), maps, strict=True)
         if len(surface.faces) > MOST_FACES
     ]
     return " ".join(reduced)
 
 
-def _data(scene: Scene, look: Look) -> dict[str, Any]:
+def _data(maps: list[ErrorMap], look: Look) -> dict[str, Any]:
     """What the viewer gets."""
     view = look.view
     return {
-        "meshes": [_mesh(scene.before, scene.after, look), _mesh(scene.after, scene.before, look)],
+        "meshes": [_mesh(shown, look) for shown in maps],
         "colors": COLORS,
         "view": {
             "direction": view.direction.tolist(),
@@ -110,8 +112,12 @@ def _data(scene: Scene, look: Look) -> dict[str, Any]:
     }
 
 
-def _mesh(of: Surface, to: Surface, look: Look) -> dict[str, str]:
-    shown = error_map(of, to, MOST_FACES) if len(of.faces) <= MOST_FACES else _reduced(of, to)
+def _shown_by(of: Surface, to: Surface, threads: int) -> ErrorMap:
+    """What the viewer shows of a surface."""
+    return (error_map if len(of.faces) <= MOST_FACES else _reduced)(of, to, MOST_FACES, threads)
+
+
+def _mesh(shown: ErrorMap, look: Look) -> dict[str, str]:
     return {
         "positions": _base64(look.view.placed(shown.positions), np.float32),
         "faces": _base64(shown.faces, np.uint32),
@@ -120,21 +126,24 @@ def _mesh(of: Surface, to: Surface, look: Look) -> dict[str, str]:
     }
 
 
-def _reduced(of: Surface, to: Surface) -> ErrorMap:
+def _reduced(of: Surface, to: Surface, most: int, threads: int) -> ErrorMap:
     """A surface of too many faces with fewer."""
     from ..simplification import simplify
 
     small = simplify(
         of.positions,
         of.faces,
-        target_faces=MOST_FACES,
+        target_faces=most,
         effort="fast",
         measure_error=False,
         avoid_self_intersections=False,
+        threads=threads,
     )
-    faces = small.faces.astype(np.uint32)
-    errors = distances(to.positions, to.faces, of.positions[small.vertex_origin], 0)
-    return ErrorMap(small.vertices, faces, faces, errors)
+    every = -(-len(small.faces) // most)  # 1, unless its parts are too many to be simplified
+    used, corners = np.unique(small.faces[::every], return_inverse=True)
+    faces = corners.reshape(-1, 3).astype(np.uint32)
+    errors = distances(to.positions, to.faces, of.positions[small.vertex_origin[used]], threads)
+    return ErrorMap(small.vertices[used], faces, faces, errors)
 
 
 def _base64(values: Array, dtype: Any) -> str:

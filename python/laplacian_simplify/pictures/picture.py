@@ -101,9 +101,11 @@ def _color_map() -> Any:
 
 def _composed(images: list[Array], scene: Scene, facts: Facts, look: Look, height: float) -> bytes:
     """The three with their titles, the scale, and the lines of the summary."""
+    from matplotlib import rcdefaults
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    rcdefaults()  # whatever a matplotlibrc of the user says
     whole = (3 * _PANEL + _SCALE, height + _HEAD + _FOOT)
     figure = Figure(figsize=whole, dpi=_DPI, facecolor="white")
     canvas = FigureCanvasAgg(figure)

@@ -29,7 +29,7 @@ class Scene:
         arrays: dict[str, Any] = {}
         for name, surface in (("before", self.before), ("after", self.after)):
             arrays |= {f"{name}_positions": surface.positions, f"{name}_faces": surface.faces}
-        np.savez(path, **arrays, names=np.array([self.before.name, self.after.name]))
+        np.savez(path, **arrays, names=np.array([drawable(self.before.title), drawable(self.after.title)]))
 
     @staticmethod
     def load(path: Path) -> "Scene":
@@ -73,6 +73,11 @@ def titled(label: str, name: str) -> str:
     return label if name == label else f"{label}: {name}"
 
 
+def drawable(text: str) -> str:
+    """The text without what no font has: bytes of a file name that are not UTF-8."""
+    return text.encode("utf-8", "replace").decode()
+
+
 def _facts(
     labels: tuple[str, str], lines: list[str], report: Mapping[str, Any], parameters: Mapping[str, Any]
 ) -> Facts:
@@ -98,4 +103,4 @@ def _shown(value: Any) -> str:
         return f"{value:,}"
     if isinstance(value, tuple | list):
         return ", ".join(_shown(each) for each in value)
-    return str(value)
+    return drawable(str(value))
