@@ -248,8 +248,8 @@ def test_the_viewer_turns_by_hand_by_itself_and_back(drawn: Pages, browser: Any)
     opened.tab.locator("#back").click()
     assert np.abs(opened.canvas() - first).mean() < 0.001
     opened.tab.locator("#turn").check()
-    frames = "new Promise(done => { let left = 30; (function next() { left-- ? requestAnimationFrame(next) : done() })() })"
-    opened.tab.evaluate(frames)
+    frames = "let left = 30; (function next() { left-- ? requestAnimationFrame(next) : done() })()"
+    opened.tab.evaluate(f"new Promise(done => {{ {frames} }})")
     opened.tab.locator("#turn").uncheck()
     assert np.abs(opened.canvas() - first).mean() > 0.001
     opened.tab.keyboard.press("1")

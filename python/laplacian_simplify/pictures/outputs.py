@@ -86,7 +86,7 @@ class Outputs:
             yield paths
 
     def write(self, scene: "Scene", facts: "Facts", samples: int, threads: int) -> None:
-        """Draws what was measured at so many points a side, in a process of its own; a file appears whole or not at all.
+        """Measures at so many points a side and draws, in a process of its own; a file appears whole or not at all.
 
         Raises:
             OSError: a file cannot be written.

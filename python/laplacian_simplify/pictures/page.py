@@ -3,8 +3,8 @@
 """The page: one HTML file with the picture, a viewer, a histogram and the numbers, which asks for nothing else.
 
 Meshes are stored as base64 of 32-bit floats and whole numbers. A mesh of more than ``MOST_FACES`` is shown by as many
-of them, made by the fast effort of simplify, or chosen evenly where that cannot make so few; its colors are the distances
-of the vertices that these were. With that, a page has at most about 15 MB.
+of them, made by the fast effort of simplify, or chosen evenly where that cannot make so few; its colors are the
+distances of the vertices that these were. With that, a page has at most about 15 MB.
 """
 
 import base64
