@@ -44,8 +44,7 @@ const std::vector<Filter>& Filters()
          "compute_scalar_by_laplacian_descriptor_per_vertex",
          "Stores in the vertex quality how strongly each vertex deviates from its neighbors.",
          "0 where the surface is flat, toward 1 on creases and corners.",
-         "The Laplacian descriptor is 0 where the surface is flat and grows toward 1 on creases, corners and "
-         "fine details. It is the mean of the edge vectors at a vertex, measured along the vertex normal and "
+         "The Laplacian descriptor is the mean of the edge vectors at a vertex, measured along the vertex normal and "
          "divided by the mean edge length, so it does not depend on the size of the mesh. Curvatures are "
          "offered for comparison; unless rescaled, they have the unit of a curvature.",
          {kZhang2012},
@@ -58,8 +57,7 @@ const std::vector<Filter>& Filters()
          "Selects the vertices on creases, corners and fine details by clustering a shape descriptor.",
          "The current vertex selection is replaced.",
          "One-dimensional k-means divides the descriptor values into classes (the global optimum, not a "
-         "local one). The vertices of the highest classes are selected; the current vertex selection is "
-         "replaced. Two classes find the sharp edges of mechanical parts. On natural shapes the boundary "
+         "local one). The vertices of the highest classes are selected. Two classes find the sharp edges of mechanical parts. On natural shapes the boundary "
          "between the classes is arbitrary.",
          {kZhang2012},
          {Category::Selection},
@@ -95,10 +93,9 @@ const std::vector<Filter>& Filters()
          "Simplification: Laplacian-Guided Levels of Detail",
          "generate_laplacian_levels_of_detail",
          "Several simplifications of a mesh (decimation), each coarser than the one before, as new layers.",
-         "The original stays, hidden. Of each level the log tells how far it is from the original.",
+         "The original stays, hidden, as all levels but the last.",
          "Each level is a result of the Laplacian-Guided Quadric Edge Collapse, with all that it promises, refined and "
-         "measured against the original, which stays as it is but is hidden, as all levels but the last. The collapse of a level goes on where the one before it "
-         "stopped; levels with an error bound and those of order \"strict\" are runs of their own. The layers are named "
+         "measured against the original. The collapse of a level goes on where the one before it stopped; levels with an error bound and those of order \"strict\" are runs of their own. The layers are named "
          "after the mesh and the percentage or the error. Numbers are returned as lists, one number for each level; one "
          "that a level lacks is not a number (NaN).",
          {kZhang2012, kGarland1997, kLindstrom1998},

@@ -46,11 +46,11 @@ std::vector<Option> Descriptors(bool withVertexQuality)
     return options;
 }
 
-/// The weightings of the paper's filter: all descriptors, followed by the quadrics of Li and He.
+/// The weightings of the paper's filter: all descriptors, followed by the quadrics of Li et al.
 std::vector<Option> Weightings()
 {
     std::vector<Option> options = Descriptors(true);
-    options.push_back({"curvature_weighted_quadric", "Curvature-weighted quadric (Li and He 2010)"});
+    options.push_back({"curvature_weighted_quadric", "Curvature-weighted quadric (Li et al. 2010)"});
     return options;
 }
 

@@ -164,6 +164,12 @@ def test_a_weight_means_the_same_in_each_part() -> None:
     assert weight_in_part(1, 0, mesh, 100) == 1
 
 
+def test_areas_of_tiny_meshes_are_counted() -> None:
+    vertices, faces = torus(40, 25)
+    area = counted_area(vertices, faces, 4.0)
+    assert counted_area(1e-170 * vertices, faces, 4e-170) == pytest.approx(area, rel=1e-12)
+
+
 def test_fixed_vertices_keep_the_bits_of_their_colors() -> None:
     """Other blocks have them, too."""
     vertices, faces = torus(40, 25)

@@ -184,8 +184,22 @@ def test_a_report_says_which_crossings_nobody_has_counted() -> None:
         return _Run(SimpleNamespace(chunk_faces=1), None, None, aim)._doubts(Simplified([], [{}] * rounds, report))
 
     assert doubts(1, 0) == doubts(0, 3) == doubts(1, None, avoid=False) == []
+    unknown = SimpleNamespace(avoid_crossings=True)
+    run = _Run(SimpleNamespace(chunk_faces=1), None, None, unknown)
+    assert run._doubts(Simplified([], [{}], {})) == ["the faces of the result that cross were not counted"]
     assert doubts(1, 3) == ["3 pairs of faces cross; how many did in the input was not counted"]
     assert "faces of different blocks may cross" in doubts(2, None)[0]
+
+
+def test_a_block_of_a_stray_face_is_no_trouble(tmp_path: Path) -> None:
+    """It is small enough as it is, so nobody counts what crosses in it."""
+    vertices, faces = torus(60, 40)
+    stray = np.array([[100.0, 0, 0], [100, 1, 0], [100, 0, 1]])
+    both = np.concatenate([0.002 * vertices, stray])
+    write_ply(tmp_path / "both.ply", both, np.concatenate([faces, [np.arange(3) + len(vertices)]]))
+    report = ls.simplify_huge(tmp_path / "both.ply", tmp_path / "small.ply", target_percent=4, block_faces=1000)
+    assert report.faces <= 0.04 * (len(faces) + 1) + 1
+    assert [row["self_intersections"] for row in report.rounds][0] is None
 
 
 def test_what_crossed_in_what_was_left_is_not_said_of_the_input() -> None:

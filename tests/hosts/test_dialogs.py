@@ -84,11 +84,17 @@ class MeshLabWindow:
         return looks[-1]
 
     def open_search(self, words: str) -> list[str]:
-        """Types into MeshLab's search and returns what it lists."""
-        self._display.activate(self._main)
-        self._display.keys("Escape", "ctrl+f")
-        self._display.type(words)
-        return self._shown(lambda shown: any(shown["menu"]), f"what is found by {words}")["menu"]
+        """Types into MeshLab's search and returns what it lists. Asks again where the window was not listening yet."""
+        for attempt in range(3):
+            self._display.activate(self._main)
+            self._display.keys("Escape", "ctrl+f")
+            self._display.type(words)
+            try:
+                return self._shown(lambda shown: any(shown["menu"]), f"what is found by {words}")["menu"]
+            except TimeoutError:
+                if attempt == 2:
+                    raise
+        raise AssertionError("unreachable")
 
     def open_dialog(self, name: str) -> str:
         """Finds the filter by Ctrl+F and returns its dialog. Asks again where the window was not listening yet."""

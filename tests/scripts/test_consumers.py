@@ -78,6 +78,8 @@ def test_subdirectory_with_its_functions_in_a_library(
     tmp_path: Path, compiler: str, standard: int, assert_same_bytes: object
 ) -> None:
     settings = {"LAPLACIAN_SIMPLIFY_DIR": PROJECT, "STANDARDS": standard, "LAPLACIAN_SIMPLIFY_COMPILED": "ON"}
+    if compiler == "g++":
+        settings["VCGLIB_DIR"] = VCGLIB
     build = build_consumer("subdirectory", compiler, **settings)
     assert_same_bytes(build / f"simplify_arrays_{standard}", tmp_path / "result.off")
 

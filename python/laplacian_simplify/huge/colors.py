@@ -14,21 +14,21 @@ from .array_file import Array
 _LEAST_SHARE = 50
 _MOST_WEIGHT = 100.0
 """Both as in the engine."""
-_PARTS = float(1 << 40)
-"""Of the squared side of the grid's cube, in which areas are counted: whole numbers add up the same in any order."""
+_PARTS = float(1 << 20)
+"""Of the side of the grid's cube, in whose squares areas are counted: whole numbers add up the same in any order."""
 _NAME = "color"
 _ROWS = 1 << 16
 
 
 def counted_area(positions: Array, triangles: Array, side: float) -> int:
     """The area of all faces, the same for any division of them into chunks."""
-    unit = _PARTS / side**2
-    return sum(int(np.rint(areas * unit).astype(np.int64).sum()) for areas in _areas(positions, triangles))
+    areas = _areas(positions, triangles, _PARTS / side)
+    return sum(int(np.rint(some).astype(np.int64).sum()) for some in areas)
 
 
 def whole_area(counted: list[int], side: float) -> float:
     """That of all chunks together, in the mesh's own unit."""
-    return sum(counted) * side**2 / _PARTS
+    return sum(counted) * (side / _PARTS) ** 2
 
 
 def expected_face(area: float, target: int, faces: int) -> float:
@@ -92,9 +92,9 @@ def as_bytes(colors: Array) -> Array:
     return numbers
 
 
-def _areas(positions: Array, triangles: Array) -> Iterator[Array]:
-    """Of all faces, some at a time."""
+def _areas(positions: Array, triangles: Array, scale: float = 1.0) -> Iterator[Array]:
+    """Of all faces of the scaled mesh, some at a time."""
     for begin in range(0, len(triangles), _ROWS):
         corners = triangles[begin : begin + _ROWS]
-        a, b, c = (positions[corners[:, k]].astype(np.float64) for k in range(3))
+        a, b, c = (scale * positions[corners[:, k]].astype(np.float64) for k in range(3))
         yield np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2

@@ -87,9 +87,10 @@ class PlySource:
 
     def _left_out(self) -> list[str]:
         """Notes on what is passed over."""
+        colors = "no colors of faces that share no vertices" if self._is_soup else "colors of vertices"
         kept = {"vertex": {*"xyz", *self._colors}, "face": {*_INDEX_LISTS}}
         notes = [
-            f"{self._shown}: '{name}' of {shown} is left out: huge keeps positions, faces and colors of vertices only"
+            f"{self._shown}: '{name}' of {shown} is left out: huge keeps positions, faces and {colors} only"
             for element, shown in (("vertex", "vertices"), ("face", "faces"))
             for name in self._places[element].names
             if name not in kept[element]
@@ -145,7 +146,7 @@ class _Place:
 
 
 def _color_names(vertex: _Place) -> list[str]:
-    """The properties that simplify takes as a color; none where there is no color."""
+    """The properties that simplify takes as a color, but for intensity; none where there is no color."""
     for prefix in ("", "diffuse_"):
         names = [prefix + name for name in ("red", "green", "blue", "alpha")]
         if set(names[:3]) <= set(vertex.names):

@@ -59,7 +59,7 @@ class HugeReport:
     """With the same vertex at two corners."""
     rounds: list[dict[str, Any]] = field(repr=False)
     """Of each: kind, before, after, goal (faces), blocks, largest (faces of a block), seams (vertices), cost, and
-    self_intersections (pairs within blocks)."""
+    self_intersections (pairs within blocks; None where a block was small enough as it was)."""
     processor_seconds: dict[str, float] = field(repr=False)
     """Of each stage."""
     peak_memory: int

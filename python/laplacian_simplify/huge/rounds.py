@@ -163,7 +163,8 @@ class _OneRound:
             row, wanted = self._find_cost(division, parts)
         files = self._collapse(division, parts, layout, wanted)
         if self._aim.avoid_crossings:
-            row["self_intersections"] = sum(answer["self_intersections"] for answer in files)
+            counts = [answer["self_intersections"] for answer in files]  # None: a block that was small enough as it was
+            row["self_intersections"] = None if None in counts else sum(counts)
         return {
             "kind": self._plan.kind,
             "before": self._faces,

@@ -119,7 +119,10 @@ class _Run:
             return []
         if done.report is None:
             return ["the result was refined in blocks; faces of different blocks may cross, and were not counted"]
-        if crossing := done.report["self_intersections"]:
+        crossing = done.report.get("self_intersections")
+        if crossing is None:
+            return ["the faces of the result that cross were not counted"]
+        if crossing:
             return [f"{crossing:,} pairs of faces cross; how many did in the input was not counted"]
         return []
 
