@@ -199,7 +199,7 @@ def test_a_block_of_a_stray_face_is_no_trouble(tmp_path: Path) -> None:
     write_ply(tmp_path / "both.ply", both, np.concatenate([faces, [np.arange(3) + len(vertices)]]))
     report = ls.simplify_huge(tmp_path / "both.ply", tmp_path / "small.ply", target_percent=4, block_faces=1000)
     assert report.faces <= 0.04 * (len(faces) + 1) + 1
-    assert [row["self_intersections"] for row in report.rounds][0] is None
+    assert report.rounds[0]["self_intersections"] is None
 
 
 def test_what_crossed_in_what_was_left_is_not_said_of_the_input() -> None:
