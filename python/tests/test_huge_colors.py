@@ -167,7 +167,7 @@ def test_a_weight_means_the_same_in_each_part() -> None:
 def test_areas_of_tiny_meshes_are_counted() -> None:
     vertices, faces = torus(40, 25)
     area = counted_area(vertices, faces, 4.0)
-    assert counted_area(1e-170 * vertices, faces, 4e-170) == pytest.approx(area, rel=1e-12)
+    assert counted_area(1e-170 * vertices.astype(np.float64), faces, 4e-170) == pytest.approx(area, rel=1e-12)
 
 
 def test_fixed_vertices_keep_the_bits_of_their_colors() -> None:

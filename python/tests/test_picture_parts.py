@@ -159,9 +159,9 @@ def test_osmesa_is_taken_where_there_is_no_egl(monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_names_are_checked_before_any_work(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"--picture .*out.jpg: a picture is PNG, so its name has to end with .png"):
+    with pytest.raises(ValueError, match=r"^picture .*out.jpg: a picture is PNG, so its name has to end with .png"):
         ls.compare("missing.ply", "missing.ply", picture=tmp_path / "out.jpg")
-    with pytest.raises(ValueError, match=r"--report .*out.png: the page is HTML"):
+    with pytest.raises(ValueError, match=r"^report .*out.png: the page is HTML"):
         ls.compare("missing.ply", "missing.ply", report=tmp_path / "out.png")
     with pytest.raises(OSError, match="is not a folder"):
         ls.compare("missing.ply", "missing.ply", report=tmp_path / "nowhere" / "out.html")
