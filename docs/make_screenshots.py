@@ -52,7 +52,7 @@ def take_descriptor(host: HostProgram, display: Display, scratch: Path) -> None:
     """The mesh in the colors of its descriptor."""
     with opened_mesh(host, display, scratch / MESH, scratch / "descriptor.log") as meshlab:
         dialog = meshlab.open_dialog(DESCRIPTOR)
-        meshlab.apply(dialog)
+        meshlab.apply(DESCRIPTOR)
         close(display, dialog)
         save(display, "descriptor")
 
@@ -65,7 +65,7 @@ def take_simplified(host: HostProgram, display: Display, scratch: Path) -> None:
         display.keys("Tab", "Tab", "Tab", "ctrl+a")
         display.type(str(TARGET))
         save(display, "dialog")
-        meshlab.apply(dialog)
+        meshlab.apply(SIMPLIFY)
         if f"{TARGET:,} faces" not in meshlab.log():
             raise RuntimeError(f"the target did not arrive in the dialog: {meshlab.log()}")
         close(display, dialog)
