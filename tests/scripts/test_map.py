@@ -141,10 +141,16 @@ def test_headers_of_the_library_are_named_from_the_top() -> None:
 
 
 def test_no_header_includes_itself_by_way_of_others() -> None:
-    graph = {
-        path: [header for bracket, name in includes(path) if bracket == '"' and (header := resolved(path, name))]
-        for path in sources(".h")
-    }
+    """One that ends in _inl.h is the second half of its header, which includes it at its end."""
+
+    def whole(path: str) -> str:
+        return path.replace("_inl.h", ".h")
+
+    graph: dict[str, list[str]] = {}
+    for path in sources(".h"):
+        headers = [resolved(path, name) for bracket, name in includes(path) if bracket == '"']
+        others = [whole(header) for header in headers if header and whole(header) != whole(path)]
+        graph.setdefault(whole(path), []).extend(others)
     done: set[str] = set()
 
     def visit(path: str, way: tuple[str, ...]) -> None:
