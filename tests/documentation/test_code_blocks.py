@@ -47,7 +47,7 @@ PREPARED = {
 import gzip, shutil, numpy as np, trimesh
 shutil.copy("sample_meshes/flange.ply", "input.ply")
 mesh = trimesh.load("input.ply")
-mesh.export("part.stl"), mesh.export("small.ply")
+mesh.export("part.stl"), mesh.export("small.ply"), mesh.export("output_of_another_tool.stl")
 with gzip.open("input.stl.gz", "wb") as file:
     file.write(mesh.export(file_type="stl"))
 vertices, faces = np.array(mesh.vertices), np.array(mesh.faces)
