@@ -20,9 +20,6 @@ from laplacian_simplify.huge.grid import SIDE, Grid, Layout
 from laplacian_simplify.huge.rounds import Simplified
 from laplacian_simplify.huge.runs import _crossings, _Run
 
-SQUARE = np.array([[0.0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
-TWO = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
-
 
 def test_no_more_faces_of_a_block_cross_than_before(tmp_path: Path) -> None:
     """Two waves close to each other, which cross where nobody sees to it."""
