@@ -106,21 +106,38 @@ void ContinueOnWholeCopy(Host& host, const std::string& layerSuffix)
     vcg_ext::CopyCustomAttributes(original, host.Mesh());
 }
 
+/// What a run has come to, before anything is changed.
+struct Outcome {
+    vcg_ext::DecimationReport report;
+    std::optional<vcg_ext::MeshSimplification> result; ///< none: the mesh stays as it is
+    std::optional<ErrorAsQuality> error;               ///< to be written, too
+};
+
 /// Writes a result to the current mesh, or to a copy of it in a new layer, and counts there what was not
 /// known before. \param layerSuffix of the new layer's name; empty: to the current mesh
+/// \return a line for the log, empty where there is nothing to say
 template <class Host>
-void Commit(Host& host, vcg_ext::MeshSimplification result, const std::string& layerSuffix,
-            bool dropUnreferenced, vcg_ext::DecimationReport& report)
+std::string Commit(Host& host, Outcome& outcome, const std::string& layerSuffix, bool dropUnreferenced)
 {
+    auto& result = outcome.result;
     if (!layerSuffix.empty()) {
-        RenumberForCompactCopy(host.Mesh(), result.mesh);
+        if (result) RenumberForCompactCopy(host.Mesh(), result->mesh);
         ContinueOnWholeCopy(host, layerSuffix);
     }
-    vcg_ext::ApplyDecimation(host.Mesh(), result, dropUnreferenced);
-    host.GeometryChanged();
-    report.vertices = static_cast<std::size_t>(host.Mesh().vn); // including those of no face
-    if (result.attributes.doubledVertices)
-        report.edges = EdgesOf(host.Mesh()); // open where seams are doubled
+    const auto apply = [&] {
+        if (!result) return;
+        vcg_ext::ApplyDecimation(host.Mesh(), *result, dropUnreferenced);
+        host.GeometryChanged();
+    };
+    std::string line;
+    if (outcome.error)
+        line = outcome.error->StoreAfter(apply, host);
+    else
+        apply();
+    if (result) outcome.report.vertices = static_cast<std::size_t>(host.Mesh().vn); // with those of no face
+    if (result && result->attributes.doubledVertices)
+        outcome.report.edges = EdgesOf(host.Mesh()); // open where seams are doubled
+    return line;
 }
 
 /// What a decimation filter is asked for besides its collapses.
@@ -133,12 +150,35 @@ struct DecimationWishes {
     int threads = 0;
 };
 
-/// What the quality of the result will be computed from, if that is asked for.
-template <class Mesh>
-std::optional<ErrorAsQuality> ErrorOf(const Mesh& original, bool asQuality, int threads)
+/// Decimates and measures, without a change of the mesh. \param simplify as of DecimateCurrentMesh
+template <class Mesh, class Simplify>
+Outcome DecimateValue(const Mesh& mesh, std::size_t target, const DecimationWishes& wishes,
+                      const vcg_ext::Progress& progress, const Simplify& simplify)
 {
-    if (!asQuality) return std::nullopt;
-    return ErrorAsQuality(original, threads);
+    Outcome outcome;
+    if (target >= static_cast<std::size_t>(mesh.fn)) {
+        outcome.report = ReportUnchanged(mesh, wishes.measureError);
+        if (wishes.errorBound) outcome.report.certifiedError = 0;
+    } else {
+        outcome.result = simplify(target, progress);
+        outcome.report = outcome.result->report;
+    }
+    if (outcome.report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();
+    if (wishes.errorAsQuality)
+        outcome.error = VertexErrors<Mesh>(mesh, wishes.threads)
+                            .Of(outcome.result ? &outcome.result->mesh : nullptr, progress);
+    return outcome;
+}
+
+/// What is said of a mesh whose decimation was canceled.
+template <class Mesh>
+vcg_ext::DecimationReport ReportCancelled(const Mesh& mesh)
+{
+    vcg_ext::DecimationReport report;
+    report.stopReason = vcg_ext::StopReason::Cancelled;
+    report.facesBefore = report.faces = static_cast<std::size_t>(mesh.fn);
+    report.vertices = static_cast<std::size_t>(mesh.vn);
+    return report;
 }
 
 /// What every decimation filter does besides its collapses: target, progress, result, report and log.
@@ -149,35 +189,24 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
                            const Simplify& simplify)
 {
     const Stopwatch stopwatch;
-    const MeshFacts facts = FactsOf(host.Mesh());
-    const std::size_t target = TargetFaces(values, facts);
-    const auto error = ErrorOf(host.Mesh(), wishes.errorAsQuality, wishes.threads);
-    vcg_ext::DecimationReport report;
+    const std::size_t target = TargetFaces(values, FactsOf(host.Mesh()));
+    ThrottledProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
+    Outcome outcome;
     vcg_ext::AttributeLayout layout;
-    if (target >= facts.faces) {
-        report = ReportUnchanged(host.Mesh(), wishes.measureError);
-        if (wishes.errorBound) report.certifiedError = 0;
-        if (wishes.newLayer) ContinueOnWholeCopy(host, kLayerSuffix);
-    } else {
-        ThrottledProgress progress(
-            [&](int percent, const char* stage) { return host.Progress(percent, stage); });
-        vcg_ext::MeshSimplification decimation = simplify(target, vcg_ext::Progress(std::ref(progress)));
-        report = decimation.report;
-        layout = decimation.attributes;
-        if (decimation.attributesIgnored) host.Log(kStrictIgnoresAttributes);
-        report.vertices = static_cast<std::size_t>(host.Mesh().vn);
-        if (report.stopReason == vcg_ext::StopReason::Cancelled)
-            report.faces = facts.faces;
-        else
-            Commit(host, std::move(decimation), wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput,
-                   report);
+    std::string errorLine;
+    try {
+        outcome = DecimateValue(host.Mesh(), target, wishes, std::ref(progress), simplify);
+        if (outcome.result) layout = outcome.result->attributes;
+        if (outcome.result && outcome.result->attributesIgnored) host.Log(kStrictIgnoresAttributes);
+        errorLine = Commit(host, outcome, wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput);
+    } catch (const vcg_ext::Cancelled&) {
+        outcome.report = ReportCancelled(host.Mesh());
     }
-    const bool stored = error && report.stopReason != vcg_ext::StopReason::Cancelled;
-    const std::string errorLine = stored ? error->Store(host) : "";
-    report.seconds = stopwatch.Seconds();
-    for (const std::string& line : LogLines(report, target, wishes.errorBound, layout)) host.Log(line);
-    if (stored) host.Log(errorLine);
-    return ToReport(report, layout);
+    outcome.report.seconds = stopwatch.Seconds();
+    for (const std::string& line : LogLines(outcome.report, target, wishes.errorBound, layout))
+        host.Log(line);
+    if (!errorLine.empty()) host.Log(errorLine);
+    return ToReport(outcome.report, layout);
 }
 
 /// What the guided decimation is asked for, but for targets, progress and guidance.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <vcg/complex/complex.h>
 
 #include "decimation_summary.h"
+#include "error_as_quality.h"
 #include "filter_decimate.h"
 #include "guidance.h"
 #include "host.h"
@@ -70,38 +72,58 @@ inline NamedLevels LevelsIn(const Values& values, const MeshFacts& facts)
     return result;
 }
 
+/// One outcome a level: of the finest levels nothing may be left to do, as in a single run.
+/// \throws vcg_ext::Cancelled
+template <class Mesh>
+std::vector<Outcome> OutcomesOf(const Mesh& mesh, std::vector<vcg_ext::MeshSimplification> results,
+                                const std::vector<vcg_ext::Level>& levels,
+                                const vcg_ext::MeshDecimationParameters& parameters, bool errorAsQuality)
+{
+    std::optional<VertexErrors<Mesh>> errors;
+    if (errorAsQuality) errors.emplace(mesh, parameters.threads);
+    std::vector<Outcome> outcomes(results.size());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i].report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();
+        if (levels[i].targetFaces >= static_cast<std::size_t>(mesh.fn)) {
+            outcomes[i].report = ReportUnchanged(mesh, parameters.measureError);
+            if (levels[i].maxError > 0) outcomes[i].report.certifiedError = 0;
+        } else {
+            outcomes[i].report = results[i].report;
+            outcomes[i].result = std::move(results[i]);
+        }
+        if (errors)
+            outcomes[i].error =
+                errors->Of(outcomes[i].result ? &outcomes[i].result->mesh : nullptr, parameters.progress);
+    }
+    return outcomes;
+}
+
 /// Filter "Simplification: Laplacian-Guided Levels of Detail".
 template <class Host>
 Report ApplyLevelsOfDetail(Host& host, const Values& values)
 {
-    using Mesh = typename Host::MeshType;
     vcg_ext::MeshDecimationParameters parameters = GuidedParameters(host, values);
     const NamedLevels named = LevelsIn(values, FactsOf(host.Mesh()));
-    const auto error = ErrorOf(host.Mesh(), values.Boolean("error_as_quality"), parameters.threads);
     ThrottledProgress progress([&](int percent, const char* stage) { return host.Progress(percent, stage); });
     parameters.progress = std::ref(progress);
     parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
-    auto results = vcg_ext::DecimateLevels<Mesh>(host.Mesh(), parameters, named.levels);
+    auto results = vcg_ext::DecimateLevels(host.Mesh(), parameters, named.levels);
     if (results.front().attributesIgnored) host.Log(kStrictIgnoresAttributes);
     const vcg_ext::AttributeLayout layout = results.front().attributes; // of all of them
+    std::vector<Outcome> outcomes = OutcomesOf(host.Mesh(), std::move(results), named.levels, parameters,
+                                               values.Boolean("error_as_quality"));
     std::vector<vcg_ext::DecimationReport> reports;
-    reports.reserve(results.size());
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        vcg_ext::DecimationReport report = results[i].report;
-        if (report.stopReason == vcg_ext::StopReason::Cancelled) throw vcg_ext::Cancelled();
-        const vcg_ext::Level& level = named.levels[i];
+    reports.reserve(outcomes.size());
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        Outcome outcome = std::move(outcomes[i]);
         host.ReturnToOriginal();
-        if (level.targetFaces >= static_cast<std::size_t>(host.Mesh().fn)) { // as it is, like a single run
-            report = ReportUnchanged(host.Mesh(), parameters.measureError);
-            if (level.maxError > 0) report.certifiedError = 0;
-            ContinueOnWholeCopy(host, " " + named.names[i]);
-        } else {
-            Commit(host, std::move(results[i]), " " + named.names[i], parameters.cleanInput, report);
-        }
-        for (const std::string& line : LogLines(report, level.targetFaces, level.maxError > 0, layout))
+        const std::string errorLine = Commit(host, outcome, " " + named.names[i], parameters.cleanInput);
+        const vcg_ext::Level& level = named.levels[i];
+        for (const std::string& line :
+             LogLines(outcome.report, level.targetFaces, level.maxError > 0, layout))
             host.Log(named.names[i] + ": " + line);
-        if (error) host.Log(named.names[i] + ": " + error->Store(host));
-        reports.push_back(std::move(report));
+        if (!errorLine.empty()) host.Log(named.names[i] + ": " + errorLine);
+        reports.push_back(std::move(outcome.report));
     }
     return ToReport(reports, layout);
 }

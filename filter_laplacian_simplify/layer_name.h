@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -15,16 +14,18 @@ namespace laplacian_simplify
 inline std::string LayerLabel(const std::string& original, const std::string& suffix)
 {
     constexpr std::size_t kLongestExtension = 5;
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const std::size_t dot = original.rfind('.');
-    if (dot == std::string::npos || dot == 0) return original + suffix;
+    if (dot == std::string::npos || dot == 0 || dot + 1 == original.size()) return original + suffix;
     const std::string extension = original.substr(dot + 1);
-    // ".ply" and ".3mf", but not that of "error 0.5"
+    std::string lower; // of the ASCII letters and digits
+    for (const char c : extension) {
+        if (c >= 'A' && c <= 'Z') lower += static_cast<char>(c - 'A' + 'a');
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) lower += c;
+    }
+    // The numbers of "error 0.5" and "part 1.5mm" are none.
+    const bool isNumber = lower[0] >= '0' && lower[0] <= '9' && lower != "3ds" && lower != "3mf";
     const bool isExtension =
-        extension.size() <= kLongestExtension &&
-        std::all_of(extension.begin(), extension.end(), [&](char c) { return isDigit(c) || isLetter(c); }) &&
-        std::any_of(extension.begin(), extension.end(), isLetter);
+        lower.size() == extension.size() && lower.size() <= kLongestExtension && !isNumber;
     return isExtension ? original.substr(0, dot) + suffix + "." + extension : original + suffix;
 }
 

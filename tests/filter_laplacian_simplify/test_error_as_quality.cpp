@@ -241,6 +241,8 @@ class TestErrorAsQuality : public QObject
     void isZeroOutsideTheSelection();
     void isZeroAndRedWhereNothingIsToBeDone();
     void isNotThereAfterAStop();
+    void measuresBeforeTheMeshChanges();
+    void leavesNoAttributeBehind();
     void doesNotDependOnThreads();
     void isToldWithItsRange();
     void ofLevelsIsToTheOriginal();
@@ -368,6 +370,39 @@ void TestErrorAsQuality::isNotThereAfterAStop()
     Apply(host, kAsQuality);
     QVERIFY(QualityAndColor(host.Mesh()) == before);
     QCOMPARE(host.log.size(), std::size_t{1}); // canceled, and no range
+}
+
+/// What may be stopped or lack memory leaves the mesh as it was.
+void TestErrorAsQuality::measuresBeforeTheMeshChanges()
+{
+    LayerHost<SingleMesh> host(Bumps());
+    const vcg_ext::Progress stopsWhereItMeasures = [](int, const char* stage) {
+        return stage != std::string("Distances to the original");
+    };
+    DecimationWishes wishes;
+    const auto decimate = [&](const vcg_ext::Progress& progress) {
+        return DecimateValue(host.Mesh(), 100, wishes, progress,
+                             [&](std::size_t target, const vcg_ext::Progress& itsProgress) {
+                                 vcg_ext::MeshDecimationParameters parameters;
+                                 parameters.targetFaces = target;
+                                 parameters.progress = itsProgress;
+                                 return vcg_ext::Decimate<SingleMesh>(host.Mesh(), parameters);
+                             });
+    };
+    QVERIFY(!decimate(stopsWhereItMeasures).error); // nothing is measured
+    wishes.errorAsQuality = true;
+    const auto before = Shape(host.Mesh());
+    QVERIFY_EXCEPTION_THROWN(decimate(stopsWhereItMeasures), vcg_ext::Cancelled);
+    QVERIFY(decimate({}).error);
+    QVERIFY(Shape(host.Mesh()) == before);
+}
+
+/// The distances are kept in an attribute while the mesh changes.
+void TestErrorAsQuality::leavesNoAttributeBehind()
+{
+    LayerHost<SingleMesh> host(Bumps());
+    Apply(host, Also(kAsQuality, "new_layer", 1));
+    for (const std::size_t i : {0U, 1U}) QVERIFY(host.Layer(i).vert_attr.empty());
 }
 
 void TestErrorAsQuality::doesNotDependOnThreads()

@@ -28,6 +28,10 @@ class TestLayerName : public QObject
                                       << "Box_simplified";
         QTest::addRow("number") << "error 0.5"
                                 << "error 0.5_simplified";
+        QTest::addRow("measure") << "part 1.5mm"
+                                 << "part 1.5mm_simplified";
+        QTest::addRow("capitals") << "PART.3DS"
+                                  << "PART_simplified.3DS";
         QTest::addRow("percent") << "error 0.5%"
                                  << "error 0.5%_simplified";
         QTest::addRow("sentence") << "Dr. Smith's part"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/geometry/frame.h"
 #include "vcg_ext/core/measure/exact_surface.h"
 #include "vcg_ext/core/mesh/face_tree.h"
@@ -22,7 +23,8 @@ namespace vcg_ext
 /// coordinates.
 class SurfaceDistance
 {
-    static constexpr std::size_t kGrain = 1024; ///< points that one thread measures at a time
+    static constexpr std::size_t kGrain = 1024;              ///< points that one thread measures at a time
+    static constexpr std::size_t kBetweenPolls = 8 * kGrain; ///< and all threads between two polls
 
     const MeshView& view_;
     int threads_;
@@ -49,18 +51,24 @@ class SurfaceDistance
     }
 
     /// One distance for each point: 0, to the bit, at a vertex of a face. The same for any number of threads.
-    /// \pre finite points
-    std::vector<double> Of(const std::vector<std::array<double, 3>>& points) const
+    /// \param progress may be empty \throws Cancelled \pre finite points
+    std::vector<double> Of(const std::vector<std::array<double, 3>>& points,
+                           const Progress& progress = {}) const
     {
         const ExactSurface surface(view_, tree_, RoundingOf(LargestCoordinate(points)));
         const Frame& frame = tree_.frame();
+        const StageProgress report(progress);
         std::vector<double> distances(points.size());
-        ParallelRanges(threads_, points.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-            ExactSurface::Search search;
-            for (std::size_t i = begin; i < end; ++i)
-                distances[i] =
-                    frame.unit * std::sqrt(surface.Distance2(frame.Into<double>(points[i]), search));
-        });
+        for (std::size_t first = 0; first < points.size(); first += kBetweenPolls) {
+            report(static_cast<int>(100 * first / points.size()), "Distances to the original");
+            const std::size_t count = std::min(kBetweenPolls, points.size() - first);
+            ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
+                ExactSurface::Search search;
+                for (std::size_t i = first + begin; i < first + end; ++i)
+                    distances[i] =
+                        frame.unit * std::sqrt(surface.Distance2(frame.Into<double>(points[i]), search));
+            });
+        }
         return distances;
     }
 };
