@@ -10,7 +10,7 @@ HOME=${HOME:-$(getent passwd "$(id -u)" | cut -d: -f6)}
 export HOME
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/laplacian-simplify
 logs=$top/build/logs
-export LC_ALL=C.UTF-8 # one language in logs and one decimal point, whatever the user speaks
+export LC_ALL=C.UTF-8 LANG=C.UTF-8 # one language in logs, one decimal point; ccache takes other languages for other files
 PATH=$PATH:/usr/sbin:/sbin
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CCACHE_BASEDIR=$top # two checkouts share what they compile

@@ -242,6 +242,7 @@ class TestRepairFolds : public QObject
         parameters.effort = vcg_ext::Effort::Fast;
         parameters.threads = 1;
         parameters.avoidSelfIntersections = false; // its walls cannot cross: that costs more than the repair
+        parameters.measureError = false;
         const DecimatedMesh collapsed = Collapsed(View(shell), parameters);
         const std::size_t before = MeasuredFolds(shell, collapsed);
         QVERIFY(before > 20);
@@ -263,6 +264,7 @@ class TestRepairFolds : public QObject
         parameters.targetFaces = 300;
         parameters.effort = vcg_ext::Effort::Fast;
         parameters.avoidSelfIntersections = false; // test_crossings has the threads of that
+        parameters.measureError = false;           // test_distances those of that
         std::optional<DecimatedMesh> first;
         parameters.threads = 1;
         const DecimatedMesh folded = Collapsed(View(shell), parameters);

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -11,7 +12,7 @@
 #include "mesh_checks.h"
 #include "test_meshes.h"
 #include "vcg_ext/descriptors.h"
-#include "vcg_ext/core/geometry/point_triangle.h"
+#include "vcg_ext/core/measure/surface_distance.h"
 #include "vcg_ext/ordered/decimate.h"
 
 using namespace vcg_ext;
@@ -66,20 +67,10 @@ IndexedMesh Decimated(const IndexedMesh& mesh, std::size_t faces, WeightedParame
     return result;
 }
 
-double SquaredDistance(const Point& p, const IndexedMesh& mesh)
+std::vector<double> DistancesTo(const IndexedMesh& mesh, const std::vector<Point>& points)
 {
-    double nearest = std::numeric_limits<double>::max();
-    for (const Triangle& t : mesh.triangles) {
-        const auto seen = [&](std::size_t k) {
-            const Point& q = mesh.points[t[k]];
-            return Vector3<float>{static_cast<float>(q[0] - p[0]), static_cast<float>(q[1] - p[1]),
-                                  static_cast<float>(q[2] - p[2])};
-        };
-        const Vector3<float> a = seen(0);
-        const float d2 = ClosestOnTriangle(Vector3<float>{} - a, seen(1) - a, seen(2) - a).distance2;
-        nearest = std::min(nearest, static_cast<double>(d2));
-    }
-    return nearest;
+    const MeshView view = View(mesh);
+    return SurfaceDistance(view, 1).Of(points);
 }
 
 /// Root mean square distance of the tenth of the vertices with the largest descriptor.
@@ -90,8 +81,10 @@ double FeatureRms(const IndexedMesh& mesh, const std::vector<double>& descriptor
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return descriptor[a] > descriptor[b]; });
     order.resize(order.size() / 10);
+    std::vector<Point> points;
+    for (const std::size_t v : order) points.push_back(mesh.points[v]);
     double sum = 0;
-    for (const std::size_t v : order) sum += SquaredDistance(mesh.points[v], result);
+    for (const double distance : DistancesTo(result, points)) sum += distance * distance;
     return std::sqrt(sum / static_cast<double>(order.size()));
 }
 
@@ -220,9 +213,8 @@ void TestWeightedDecimation::classesKeepStraightBorders()
         parameters.featureWeight = 0;
         if (classAware) parameters.featureClass = classes;
         const IndexedMesh result = Decimated(box, box.triangles.size() / 10, parameters);
-        double largest = 0;
-        for (const Point& p : border) largest = std::max(largest, SquaredDistance(p, result));
-        return std::sqrt(largest);
+        const std::vector<double> distances = DistancesTo(result, border);
+        return *std::max_element(distances.begin(), distances.end());
     };
     const double plain = largestDistance(false), aware = largestDistance(true);
     QVERIFY2(plain > .05, qPrintable(QString::number(plain)));
