@@ -31,6 +31,7 @@
 #include "vcg_ext/core/pipeline.h"
 #include "vcg_ext/core/refine/refine.h"
 #include "vcg_ext/core/refine/renewed_origins.h"
+#include "vcg_ext/core/repair/repair_crossings.h"
 #include "vcg_ext/core/repair/repair_folds.h"
 
 namespace vcg_ext
@@ -131,6 +132,19 @@ class PipelineRun
         return mesh;
     }
 
+    /// Repairs faces that cross until \p allowed pairs are left, where that is the order of the day.
+    /// \param crossings of \p mesh \pre there is a tree
+    void RepairCrossingsOf(DecimatedMesh& mesh, const std::vector<CrossingPair>& crossings,
+                           std::size_t allowed, const StageProgress& progress) const
+    {
+        if (!stages_.repairFolds) return;
+        std::optional<DecimatedMesh> before;
+        if (stages_.bound) before = mesh;
+        RepairCrossings(view_, *Tree(), mesh, crossings, allowed, parameters_.boundary, threads_, progress);
+        RoundAsInput(view_, mesh);
+        if (stages_.bound) stages_.bound->TakeBackAll(mesh, *before);
+    }
+
     /// Gives the corners of a mesh with attributes their values. Nothing may change it after that.
     void TransferAttributes(DecimatedMesh& mesh) const
     {
@@ -166,16 +180,40 @@ class PipelineRun
     }
 };
 
-/// Runs the stages, and again, guarded where faces cross, until no more of them cross than before.
+/// Repairs faces of \p mesh that cross until no more do than before; those of the original are counted only
+/// where that is not known without. \param crossings of \p mesh; afterwards those that are left
+/// \return whether that was done
+inline bool MendCrossings(const PipelineRun& run, CrossingKeeper& keeper, DecimatedMesh& mesh,
+                          std::vector<CrossingPair>& crossings, const StageProgress& progress)
+{
+    if (crossings.empty()) return true;
+    const FaceTree& tree = *run.Tree();
+    const auto repair = [&](std::size_t allowed) {
+        run.RepairCrossingsOf(mesh, crossings, allowed, progress);
+        crossings = keeper.Find(mesh);
+    };
+    if (!keeper.Before() && AreFewCrossings(crossings.size(), mesh.triangles.size()) &&
+        !keeper.OriginalCrossesNear(crossings, mesh, tree)) {
+        repair(0);
+        return keeper.Allows(crossings.size(), tree);
+    }
+    if (keeper.Allows(crossings.size(), tree)) return true;
+    repair(*keeper.Before());
+    return keeper.Allows(crossings.size(), tree);
+}
+
+/// Runs the stages, and again, guarded where faces cross that could not be repaired, until no more of them
+/// cross than before.
 inline DecimatedMesh RunWithoutCrossings(PipelineRun& run, CrossingKeeper& keeper, DecimationReport& report,
                                          const StageProgress& progress)
 {
     constexpr int kRuns = 4; // the last of them is guarded everywhere
     for (int i = 0;; ++i) {
-        DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : progress.Part(99, 100));
-        const std::vector<CrossingPair> crossings = keeper.Find(mesh);
+        const StageProgress last = progress.Part(99, 100);
+        DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : last);
+        std::vector<CrossingPair> crossings = keeper.Find(mesh);
+        const bool done = MendCrossings(run, keeper, mesh, crossings, last);
         report.selfIntersections = crossings.size();
-        const bool done = mesh.triangles.empty() || keeper.Allows(crossings.size(), *run.Tree());
         report.selfIntersectionsBefore = keeper.Before();
         if (done || i + 1 == kRuns || !run.Stages().guardsCrossings) return mesh;
         keeper.Guard(crossings, mesh, *run.Tree(), i + 2 == kRuns);

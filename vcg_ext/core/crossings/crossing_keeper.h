@@ -17,8 +17,9 @@
 namespace vcg_ext
 {
 
-/// Sees to it that no more faces of a result cross than of its original: finds them, says where the next run
-/// has to be guarded, and takes back moves that a later stage has made.
+/// Sees to it that no more faces of a result cross than of its original: finds them, says whether the
+/// original has any there and where the next run has to be guarded, and takes back moves that a later stage
+/// has made.
 class CrossingKeeper
 {
     const MeshView& original_;
@@ -53,24 +54,34 @@ class CrossingKeeper
     /// One byte an input vertex, for KeptForLater; null before the first run that crossed.
     const std::vector<std::uint8_t>* Guarded() const { return guarded_.empty() ? nullptr : &guarded_; }
 
+    /// Do faces of the original cross where \p crossings of \p mesh are? \param tree of the original's faces
+    bool OriginalCrossesNear(const std::vector<CrossingPair>& crossings, const DecimatedMesh& mesh,
+                             const FaceTree& tree) const
+    {
+        std::vector<std::uint32_t> faces, triangles;
+        ForEachFaceNear(crossings, mesh, tree, [&](std::uint32_t face) { faces.push_back(face); });
+        std::sort(faces.begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+        for (const std::uint32_t face : faces) {
+            const std::uint32_t* v = original_.triangles + 3 * std::size_t{face};
+            triangles.insert(triangles.end(), v, v + 3);
+        }
+        MeshView part = original_;
+        part.triangles = triangles.data();
+        part.faceCount = faces.size();
+        return !FindCrossings(part, FaceTree(part, tree.frame(), threads_), threads_).empty();
+    }
+
     /// The next run is guarded where faces of \p mesh cross: everywhere where that is a large part or \p
     /// everywhere is set. \param tree of the original's faces
     void Guard(const std::vector<CrossingPair>& crossings, const DecimatedMesh& mesh, const FaceTree& tree,
                bool everywhere)
     {
         constexpr std::ptrdiff_t kLargePart = 4; // one vertex in so many
-        constexpr float kAround = 0.25F;         // of the face's box, on every side
         guarded_.resize(original_.vertexCount, 0);
-        for (const CrossingPair& pair : crossings)
-            for (const std::uint32_t f : {pair.first, pair.second}) {
-                Box3<float> box = EmptyBox<float>();
-                for (const std::uint32_t v : mesh.triangles[f]) box.Add(tree.frame().Into(mesh.positions[v]));
-                box.Grow(kAround * Norm(box.high - box.low));
-                tree.ForEachNear(box, [&](std::uint32_t face, const auto&...) {
-                    for (std::size_t k = 0; k < 3; ++k)
-                        guarded_[original_.triangles[3 * std::size_t{face} + k]] = 1;
-                });
-            }
+        ForEachFaceNear(crossings, mesh, tree, [&](std::uint32_t face) {
+            for (std::size_t k = 0; k < 3; ++k) guarded_[original_.triangles[3 * std::size_t{face} + k]] = 1;
+        });
         const auto marked = std::count(guarded_.begin(), guarded_.end(), std::uint8_t{1});
         if (everywhere || kLargePart * marked > static_cast<std::ptrdiff_t>(guarded_.size()))
             std::fill(guarded_.begin(), guarded_.end(), std::uint8_t{1});
@@ -100,6 +111,22 @@ class CrossingKeeper
     {
         const bool isSame = changed.positions == before.positions && changed.triangles == before.triangles;
         if (!isSame && Find(changed).size() > Find(before).size()) changed = before;
+    }
+
+  private:
+    /// Calls visit(face) for the original's faces near those of \p mesh that cross, again where several are.
+    template <class Visit>
+    static void ForEachFaceNear(const std::vector<CrossingPair>& crossings, const DecimatedMesh& mesh,
+                                const FaceTree& tree, const Visit& visit)
+    {
+        constexpr float kAround = 0.25F; // of the face's box, on every side
+        for (const CrossingPair& pair : crossings)
+            for (const std::uint32_t f : {pair.first, pair.second}) {
+                Box3<float> box = EmptyBox<float>();
+                for (const std::uint32_t v : mesh.triangles[f]) box.Add(tree.frame().Into(mesh.positions[v]));
+                box.Grow(kAround * Norm(box.high - box.low));
+                tree.ForEachNear(box, [&](std::uint32_t face, const auto&...) { visit(face); });
+            }
     }
 };
 

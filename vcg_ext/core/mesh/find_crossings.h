@@ -22,29 +22,43 @@ namespace vcg_ext
 /// Two faces that cross, the smaller index first.
 using CrossingPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The corners of a mesh's faces for exact tests, in a unit in which all numbers are about 1: that only
-/// shifts their exponents.
-class ExactFaces
+/// The vertices of a mesh for exact tests, in a unit in which all numbers are about 1: that only shifts their
+/// exponents.
+class ExactPoints
 {
     std::vector<ExactPoint> points_;
+    int exponent_ = 0; ///< of the unit
+
+  public:
+    explicit ExactPoints(const MeshView& view) : points_(view.vertexCount)
+    {
+        double largest = 0;
+        for (std::size_t v = 0; v < view.vertexCount; ++v)
+            for (const double x : view.Position(v))
+                if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+        if (largest > 0) exponent_ = std::ilogb(largest);
+        for (std::size_t v = 0; v < view.vertexCount; ++v) Put(v, view.Position(v));
+    }
+
+    const ExactPoint& operator[](std::size_t v) const { return points_[v]; }
+    ExactPoint& operator[](std::size_t v) { return points_[v]; }
+    /// \param p in the mesh's own unit
+    void Put(std::size_t v, const std::array<double, 3>& p)
+    {
+        points_[v] = {std::ldexp(p[0], -exponent_), std::ldexp(p[1], -exponent_),
+                      std::ldexp(p[2], -exponent_)};
+    }
+};
+
+/// The corners of a mesh's faces for exact tests.
+class ExactFaces
+{
+    ExactPoints points_;
     const std::uint32_t* triangles_;
 
   public:
     /// \pre the view's triangles outlive this object
-    explicit ExactFaces(const MeshView& view) : points_(view.vertexCount), triangles_(view.triangles)
-    {
-        double largest = 0;
-        for (std::size_t v = 0; v < view.vertexCount; ++v) {
-            const std::array<double, 3> p = view.Position(v);
-            points_[v] = {p[0], p[1], p[2]};
-            for (const double x : p)
-                if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
-        }
-        if (largest == 0) return;
-        const int exponent = std::ilogb(largest);
-        for (ExactPoint& p : points_)
-            p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
-    }
+    explicit ExactFaces(const MeshView& view) : points_(view), triangles_(view.triangles) {}
 
     ExactTriangle operator[](std::uint32_t face) const
     {

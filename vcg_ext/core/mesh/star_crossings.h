@@ -15,11 +15,13 @@
 namespace vcg_ext
 {
 
-/// A triangle of exact coordinates in the frame, and a box in single precision that it is surely in.
+/// A triangle of exact coordinates, and a box in the frame, in single precision, that it is surely in.
 struct BoxedTriangle {
     ExactTriangle corners;
     Box3<float> box = EmptyBox<float>();
 
+    BoxedTriangle(const ExactTriangle& of, const Box3<float>& around) : corners(of), box(around) {}
+    /// \param of a triangle in the frame
     explicit BoxedTriangle(const ExactTriangle& of) : corners(of)
     {
         for (const ExactPoint& p : corners)

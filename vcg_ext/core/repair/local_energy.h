@@ -24,6 +24,14 @@ void ForEachFaceAround(const SurfaceArrays& surface, std::uint32_t v, const Visi
     for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c) visit(FaceOf(*c));
 }
 
+/// Of the faces around \p v, by their areas; of length 1 unless they have next to none.
+inline Vector3<float> StarNormal(const SurfaceArrays& surface, std::uint32_t v)
+{
+    Vector3<float> sum{};
+    ForEachFaceAround(surface, v, [&](std::uint32_t f) { sum = sum + AreaVector(surface, f); });
+    return (1 / std::max(Norm(sum), std::sqrt(kSmallestSquare))) * sum;
+}
+
 inline void SortUnique(std::vector<std::uint32_t>& values)
 {
     std::sort(values.begin(), values.end());

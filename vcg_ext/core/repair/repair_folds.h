@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -17,7 +16,9 @@
 #include "vcg_ext/core/mesh/face_tree.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
-#include "vcg_ext/core/repair/fold_repair.h"
+#include "vcg_ext/core/repair/fold_faults.h"
+#include "vcg_ext/core/repair/local_repair.h"
+#include "vcg_ext/core/repair/surface_to_repair.h"
 
 namespace vcg_ext
 {
@@ -83,31 +84,6 @@ inline bool HasMixedOrientation(const MeshView& view)
     return static_cast<std::size_t>(edges.end() - last) > edges.size() / kMany;
 }
 
-/// \param folded those that are folded, at the start and at the end \param faces of the whole mesh
-inline void RunPasses(FoldRepair& repair, std::vector<std::uint32_t>& folded, std::size_t faces,
-                      Boundary boundary, const StageProgress& progress)
-{
-    // Cheap repairs first: they often repair a neighbour too.
-    constexpr float kTolerances[] = {1, 1.05F, 1.1F, 1.3F, 2};
-    constexpr std::size_t kPasses = std::size(kTolerances);
-    // A bound on the time: a face takes milliseconds, and in a shell thinner than the error most are folded.
-    constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
-    std::size_t attempts = kAttempts + faces / kFacesPerAttempt;
-    for (std::size_t pass = 0; pass < kPasses; ++pass) {
-        for (const std::uint32_t f : folded) {
-            if (attempts == 0) break;
-            --attempts;
-            progress(static_cast<int>(100 * pass / kPasses), "Repairing folds");
-            repair.Repair(f, kTolerances[pass], pass > 0 && boundary != Boundary::Lock);
-        }
-        folded.insert(folded.end(), repair.Changed().begin(), repair.Changed().end());
-        SortUnique(folded);
-        folded.erase(std::remove_if(folded.begin(), folded.end(),
-                                    [&](std::uint32_t f) { return !repair.IsFoldedNow(f); }),
-                     folded.end());
-    }
-}
-
 } // namespace fold_repair_detail
 
 /// Repairs folded faces: those that face away from the original where it is closest to their centroid.
@@ -127,8 +103,6 @@ inline FoldRepairReport RepairFolds(const MeshView& original, const FaceTree& tr
     constexpr std::size_t kSuspiciousShare = 8; // one folded face in so many
     FoldRepairReport report;
     if (mesh.triangles.empty()) return report;
-    std::vector<std::uint8_t> fixed;
-    const MeshView simplified = ViewOf(mesh, original, fixed);
     const Frame& frame = tree.frame();
     std::vector<std::uint32_t> folded = FoldedFaces(original, tree, mesh, frame, threads);
     report.before = report.after = folded.size();
@@ -136,17 +110,15 @@ inline FoldRepairReport RepairFolds(const MeshView& original, const FaceTree& tr
     if (folded.size() > mesh.triangles.size() / kSuspiciousShare && HasMixedOrientation(original))
         return report;
 
-    SurfaceArrays surface = BuildSurfaceArrays(simplified, frame, nullptr, threads);
-    if (mesh.wedges) {
-        surface.wedges = &*mesh.wedges;
-        MarkSeams(surface);
-    }
-    MakeRoomForCorners(surface, kFlipRoom);
-    const FaceTree simplifiedTree(simplified, frame, threads);
-    FoldRepair repair(tree, simplifiedTree, surface);
-    RunPasses(repair, folded, mesh.triangles.size(), boundary, progress);
+    SurfaceToRepair to(original, frame, mesh, threads);
+    FoldFaults faults(tree, to.surface);
+    LocalRepair repair(tree, to.tree, to.surface, faults);
+    // A bound on the time: a face takes milliseconds, and in a shell thinner than the error most are folded.
+    constexpr std::size_t kAttempts = 2000, kFacesPerAttempt = 50;
+    RunRepairPasses(repair, folded, kAttempts + mesh.triangles.size() / kFacesPerAttempt, boundary, progress,
+                    "Repairing folds");
     report.after = folded.size();
-    WriteBack(surface, frame, mesh);
+    WriteBack(to.surface, frame, mesh);
     return report;
 }
 

@@ -10,7 +10,7 @@
 #include "analytic_meshes.h"
 #include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/face_tree.h"
-#include "vcg_ext/core/repair/fold_repair.h"
+#include "vcg_ext/core/repair/fold_faults.h"
 
 using namespace test_meshes;
 
@@ -32,11 +32,12 @@ Outcome RepairPlane(const Point& place, float tolerance)
     const vcg_ext::FaceTree original(View(plane), frame, 1), simplified(View(mesh), frame, 1);
     vcg_ext::SurfaceArrays surface = vcg_ext::BuildSurfaceArrays(View(mesh), frame);
     vcg_ext::MakeRoomForCorners(surface, vcg_ext::kFlipRoom);
-    vcg_ext::FoldRepair repair(original, simplified, surface);
+    vcg_ext::FoldFaults faults(original, surface);
+    vcg_ext::LocalRepair repair(original, simplified, surface, faults);
     const auto folds = [&] {
         std::vector<std::uint32_t> folded;
         for (std::uint32_t f = 0; f < surface.FaceCount(); ++f)
-            if (repair.IsFoldedNow(f)) folded.push_back(f);
+            if (repair.IsFaulty(f)) folded.push_back(f);
         return folded;
     };
     Outcome outcome;
@@ -57,7 +58,7 @@ Outcome RepairPlane(const Point& place, float tolerance)
 } // namespace
 
 /// Flips are tried before moves, so whether the search goes on after a flip shows in what is changed.
-class TestFoldRepair : public QObject
+class TestLocalRepair : public QObject
 {
     Q_OBJECT
 
@@ -93,5 +94,5 @@ class TestFoldRepair : public QObject
     }
 };
 
-QTEST_APPLESS_MAIN(TestFoldRepair)
-#include "test_fold_repair.moc"
+QTEST_APPLESS_MAIN(TestLocalRepair)
+#include "test_local_repair.moc"
