@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh of the corpus with parameters as the bytes that mesh_bytes.cpp reads."""
+
+import struct
+from dataclasses import dataclass
+
+import numpy as np
+from hostile_meshes import HostileMesh
+
+TOPOLOGY, CROSSINGS, CLEAN, MEASURE, FIXED, SELECTED = 1, 2, 4, 8, 16, 32
+SINGLE, LONG_INDICES, ANY_INDEX, LABELS, EVERY_THREADS = 64, 128, 256, 512, 1024
+
+
+@dataclass(frozen=True)
+class CoreSetting:
+    """What is asked of the core, by the fields of mesh_bytes.cpp."""
+
+    name: str
+    flags: int = CROSSINGS | CLEAN | MEASURE
+    percent: int = 20
+    """Of the faces."""
+    weights: int = 0x11
+    """Of features, and 16 times that of attributes."""
+    error: int = 0
+    """As exponent: 2^(error - 16) percent."""
+    weld: int = 0
+    descriptor: int = 0
+    effort: int = 1
+    boundary: int = 1
+    seams: int = 0
+    levels: int = 0
+    textures: int = 0
+    scalars: int = 0
+
+    def choices(self) -> int:
+        low = self.descriptor | self.effort << 2 | self.boundary << 4 | self.seams << 6
+        return low | self.levels << 8 | self.textures << 10 | self.scalars << 12
+
+
+def core_settings() -> list[CoreSetting]:
+    every = CROSSINGS | CLEAN | MEASURE
+    return [
+        CoreSetting("default", every | EVERY_THREADS),
+        CoreSetting("fast_floats", every | SINGLE, percent=10, effort=0),
+        CoreSetting("best_to_one_face", every, percent=0, effort=2, boundary=0),
+        CoreSetting("topology_kept", every | TOPOLOGY | LONG_INDICES, percent=5, boundary=0),
+        CoreSetting("borders_locked", every, percent=5, boundary=2, descriptor=1),
+        CoreSetting("input_as_it_is", MEASURE | SINGLE, percent=10, descriptor=2),
+        CoreSetting("bound_of_1_percent", every, percent=0, error=16),
+        CoreSetting("bound_of_nothing", MEASURE | CLEAN, percent=0, error=1, effort=0),
+        CoreSetting("best_within_4_percent", MEASURE, percent=0, error=18, effort=2),
+        CoreSetting("welded_widely", every, weld=19),
+        CoreSetting("welded_to_a_point", every, weld=23),
+        CoreSetting("locked", every | FIXED, percent=0, effort=2),
+        CoreSetting("selected", CROSSINGS | MEASURE | SELECTED, percent=0),
+        CoreSetting("selected_and_cleaned", every | SELECTED | FIXED, percent=0),
+        CoreSetting("random_attributes", every | LABELS, textures=1, scalars=4),
+        CoreSetting("seams_ignored", every | LABELS, seams=1, weights=0xF1, textures=2, effort=2),
+        CoreSetting("levels", every, percent=150, levels=3),
+        CoreSetting("levels_as_they_are", MEASURE, percent=200, levels=2, effort=0, boundary=0),
+    ]
+
+
+def bytes_of(mesh: HostileMesh, setting: CoreSetting) -> bytes:
+    """Locks, selections and attributes are random, where the setting has any."""
+    flags = setting.flags | ANY_INDEX
+    counts = len(mesh.vertices), len(mesh.faces)
+    numbers = setting.percent, setting.weights, setting.error, setting.weld
+    head = struct.pack("<HBbHHBBBBH", flags, 0, 0, *counts, *numbers, setting.choices())
+    faces = np.where((mesh.faces < 0) | (mesh.faces > 65535), 65535, mesh.faces).astype("<u2")
+    return head + mesh.vertices.astype("<f8").tobytes() + faces.tobytes() + _random_rest(setting, *counts)
+
+
+def _random_rest(setting: CoreSetting, vertices: int, faces: int) -> bytes:
+    chance = np.random.default_rng(vertices + faces)
+    rest = b""
+    if setting.flags & FIXED:
+        rest += (chance.random(vertices) < 0.2).tobytes()
+    if setting.flags & SELECTED:
+        rest += (chance.random(faces) < 0.6).tobytes()
+    if setting.flags & LABELS:
+        rest += (chance.random(faces) < 0.1).tobytes()
+    if setting.descriptor == 3:
+        rest += chance.random(vertices).astype("<f4").tobytes()
+    channels = 2 * setting.textures + setting.scalars
+    return rest + chance.random((faces, 3, channels)).astype("<f4").tobytes()
