@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a mesh carries: colors, quality, texture coordinates and selections that are random, no numbers, or everywhere else."""
+"""What a mesh carries: colors, quality, texture coordinates and selections that are random or no numbers."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -24,8 +24,14 @@ def _charts(faces: np.ndarray, corner: np.ndarray) -> np.ndarray:
 def colors() -> Iterator[HostileMesh]:
     for name, make in {"grid": grid, "torus": torus, "fan": lambda: fan(60), "tetrahedron": tetrahedron}.items():
         points, faces = make()
-        yield mesh(f"random_vertex_colors_{name}", (points, faces), data={"v_color_matrix": _chance(1).random((len(points), 4))})
-        yield mesh(f"random_face_colors_{name}", (points, faces), data={"f_color_matrix": _chance(2).random((len(faces), 4))})
+        yield mesh(
+            f"random_vertex_colors_{name}",
+            (points, faces),
+            data={"v_color_matrix": _chance(1).random((len(points), 4))},
+        )
+        yield mesh(
+            f"random_face_colors_{name}", (points, faces), data={"f_color_matrix": _chance(2).random((len(faces), 4))}
+        )
     points, faces = grid()
     hard = np.repeat((_chance(3).random((len(faces), 1)) < 0.05).astype(float), 4, axis=1)
     yield mesh("speckled_face_colors", (points, faces), data={"f_color_matrix": hard})
@@ -79,7 +85,9 @@ def vertex_textures() -> Iterator[HostileMesh]:
         layout = points[:, :2].copy()
         layout[5, 0] = value
         yield mesh(f"vertex_texture_one_{name}", (points, faces), data={"v_tex_coords_matrix": layout})
-    yield mesh("vertex_texture_random", (points, faces), data={"v_tex_coords_matrix": _chance(8).random((len(points), 2))})
+    yield mesh(
+        "vertex_texture_random", (points, faces), data={"v_tex_coords_matrix": _chance(8).random((len(points), 2))}
+    )
 
 
 def everything() -> Iterator[HostileMesh]:

@@ -120,13 +120,13 @@ vcg_ext::DecimationParameters CoreParametersOf(const laplacian_simplify_paramete
     return parameters;
 }
 
-/// The C++ core, which wants indices in their range.
+/// The C++ core. Its preconditions are the caller's: indices in their range, coordinates that can be squared.
 Ending ByTheCore(const Case& given)
 {
     const Arrays arrays(given);
     for (const std::uint32_t v : given.faces)
-        if (v >= given.VertexCount()) return {Ending::Refused, "an index is out of range"};
-    if (HasTooLarge(given.positions)) return {Ending::Refused, "a coordinate is too large"};
+        if (v >= given.VertexCount()) return {Ending::Refused, ""};
+    if (HasTooLarge(given.positions)) return {Ending::Refused, ""};
     vcg_ext::MeshView view;
     view.positions = arrays.mesh.positions;
     view.doublePositions = !given.singlePrecision;

@@ -35,7 +35,8 @@ def core_runs(
 
 
 def _checked(run: Run) -> Run:
-    fault = fault_of_a_refusal(run.said) if run.kind == "refused" else ""
+    by_a_precondition = not run.said
+    fault = fault_of_a_refusal(run.said) if run.kind == "refused" and not by_a_precondition else ""
     return Run(run.mesh, run.setting, "fault", f"{fault}: {run.said}", run.seconds) if fault else run
 
 

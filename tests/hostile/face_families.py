@@ -43,7 +43,9 @@ def identical() -> Iterator[HostileMesh]:
         points, faces = np.eye(3), np.tile([[0, 1, 2]], (count, 1))
         yield mesh(f"identical_{count}", (points, faces))
         yield mesh(f"identical_{count}_apart", soup((points, faces)))
-        yield mesh(f"identical_{count}_any_order", (points, [np.roll([0, 1, 2], i)[:: 1 - 2 * (i % 2)] for i in range(count)]))
+        yield mesh(
+            f"identical_{count}_any_order", (points, [np.roll([0, 1, 2], i)[:: 1 - 2 * (i % 2)] for i in range(count)])
+        )
 
 
 def repeated_index() -> Iterator[HostileMesh]:
@@ -60,7 +62,9 @@ def duplicates() -> Iterator[HostileMesh]:
         for every in (1, 5, 200):
             for base, make in {"torus": torus, "grid": grid}.items():
                 points, faces = make()
-                yield mesh(f"{base}_every_{every}_again_{name}", (points, np.concatenate([faces, faces[::every][:, order]])))
+                yield mesh(
+                    f"{base}_every_{every}_again_{name}", (points, np.concatenate([faces, faces[::every][:, order]]))
+                )
 
 
 def turned() -> Iterator[HostileMesh]:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The corpus through the filters in pymeshlab, in processes that may crash or hang: that is named, and the next goes on."""
+"""The corpus through the filters in pymeshlab, in processes that may crash or hang: the next job goes on."""
 
 import json
 import select

@@ -39,26 +39,26 @@ class CoreSetting:
 
 
 def core_settings() -> list[CoreSetting]:
-    every = CROSSINGS | CLEAN | MEASURE
+    every = CROSSINGS | CLEAN  # measuring takes ten times as long as the rest, so that only two do it
     return [
-        CoreSetting("default", every | EVERY_THREADS),
-        CoreSetting("fast_floats", every | SINGLE, percent=10, effort=0),
-        CoreSetting("best_to_one_face", every, percent=0, effort=2, boundary=0),
+        CoreSetting("default", every | MEASURE, scalars=1),
+        CoreSetting("fast_floats", every | SINGLE | EVERY_THREADS, percent=10, effort=0),
+        CoreSetting("best_to_one_face", every | EVERY_THREADS, percent=0, effort=2, boundary=0),
         CoreSetting("topology_kept", every | TOPOLOGY | LONG_INDICES, percent=5, boundary=0),
         CoreSetting("borders_locked", every, percent=5, boundary=2, descriptor=1),
-        CoreSetting("input_as_it_is", MEASURE | SINGLE, percent=10, descriptor=2),
+        CoreSetting("input_as_it_is", SINGLE, percent=10, descriptor=2),
         CoreSetting("bound_of_1_percent", every, percent=0, error=16),
-        CoreSetting("bound_of_nothing", MEASURE | CLEAN, percent=0, error=1, effort=0),
-        CoreSetting("best_within_4_percent", MEASURE, percent=0, error=18, effort=2),
+        CoreSetting("bound_of_nothing", CLEAN, percent=0, error=1, effort=0),
+        CoreSetting("best_within_4_percent", EVERY_THREADS, percent=0, error=18, effort=2),
         CoreSetting("welded_widely", every, weld=19),
         CoreSetting("welded_to_a_point", every, weld=23),
         CoreSetting("locked", every | FIXED, percent=0, effort=2),
-        CoreSetting("selected", CROSSINGS | MEASURE | SELECTED, percent=0),
+        CoreSetting("selected", CROSSINGS | SELECTED, percent=0),
         CoreSetting("selected_and_cleaned", every | SELECTED | FIXED, percent=0),
-        CoreSetting("random_attributes", every | LABELS, textures=1, scalars=4),
-        CoreSetting("seams_ignored", every | LABELS, seams=1, weights=0xF1, textures=2, effort=2),
+        CoreSetting("random_attributes", every | LABELS | EVERY_THREADS, textures=1, scalars=4),
+        CoreSetting("seams_ignored", every | LABELS | MEASURE, seams=1, weights=0xF1, textures=2, effort=2),
         CoreSetting("levels", every, percent=150, levels=3),
-        CoreSetting("levels_as_they_are", MEASURE, percent=200, levels=2, effort=0, boundary=0),
+        CoreSetting("levels_as_they_are", 0, percent=200, levels=2, effort=0, boundary=0),
     ]
 
 

@@ -20,7 +20,7 @@ from settings import settings
 
 
 def jobs_of(meshes: list[HostileMesh], settings_count: int, every: int, valid_only: bool) -> list[tuple[int, int]]:
-    """Pairs of mesh and setting, mesh by mesh; one of so many, the same ones each time and of every mesh and setting."""
+    """Pairs of mesh and setting, mesh by mesh; one of so many, the same ones each time."""
     return [
         (mesh, setting)
         for mesh in range(len(meshes))
@@ -29,7 +29,9 @@ def jobs_of(meshes: list[HostileMesh], settings_count: int, every: int, valid_on
     ]
 
 
-def all_runs(meshes: list[HostileMesh], every: int, programs: list[Path], hosts: bool = True) -> Iterable[tuple[str, Run]]:
+def all_runs(
+    meshes: list[HostileMesh], every: int, programs: list[Path], hosts: bool = True
+) -> Iterable[tuple[str, Run]]:
     """Runs with the place in which they ran."""
     if hosts:
         jobs = jobs_of(meshes, len(settings()), every, valid_only=True)

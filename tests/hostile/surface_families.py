@@ -47,7 +47,9 @@ def bow_ties() -> Iterator[HostileMesh]:
 
 def _at_one_vertex(count: int) -> Shape:
     chance = np.random.default_rng(1)
-    points, faces = joined(*((tetrahedron()[0] @ chance.standard_normal((3, 3)), tetrahedron()[1]) for _ in range(count)))
+    points, faces = joined(
+        *((tetrahedron()[0] @ chance.standard_normal((3, 3)), tetrahedron()[1]) for _ in range(count))
+    )
     return points, np.where(faces % 4 == 0, 0, faces)
 
 
@@ -100,7 +102,9 @@ def soups() -> Iterator[HostileMesh]:
 def components() -> Iterator[HostileMesh]:
     for count in (10, 300):
         yield mesh(f"{count}_tetrahedra", joined(*(moved(tetrahedron(), (2 * i, 0, 0)) for i in range(count))))
-        yield mesh(f"{count}_faces_apart", joined(*(moved((np.eye(3), np.array([[0, 1, 2]])), i) for i in range(count))))
+        yield mesh(
+            f"{count}_faces_apart", joined(*(moved((np.eye(3), np.array([[0, 1, 2]])), i) for i in range(count)))
+        )
     yield mesh("tetrahedra_touching", joined(*(moved(tetrahedron(), (i, 0, 0)) for i in range(30))))
     yield mesh("sphere_in_sphere", joined(sphere(), scaled(sphere(), 0.5)))
     yield mesh("speck_beside_a_torus", joined(torus(), scaled(tetrahedron(), 1e-12)))
@@ -110,7 +114,9 @@ def coincident() -> Iterator[HostileMesh]:
     for count in (2, 5, 20):
         yield mesh(f"{count}_grids_in_one_place", joined(*[grid()] * count))
         yield mesh(f"{count}_spheres_in_one_place", joined(*[sphere(6, 8)] * count))
-        yield mesh(f"{count}_flat_sheets_shifted", joined(*(moved(grid(9, 0), (0.03 * i, 0.01 * i, 0)) for i in range(count))))
+        yield mesh(
+            f"{count}_flat_sheets_shifted", joined(*(moved(grid(9, 0), (0.03 * i, 0.01 * i, 0)) for i in range(count)))
+        )
     points, faces = sphere()
     yield mesh("sphere_and_its_inside", joined((points, faces), (points, faces[:, ::-1])))
     for exponent in (16, 12, 6):
