@@ -1,12 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A mesh of the corpus with parameters as the bytes that mesh_bytes.cpp reads."""
+"""A mesh of the corpus with parameters as the bytes that mesh_bytes.cpp reads.
+
+As a program: python mesh_bytes.py FOLDER writes the smaller ones there, as seeds for a fuzzer.
+"""
 
 import struct
+import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
-from hostile_meshes import HostileMesh
+from hostile_meshes import HostileMesh, corpus
 
 TOPOLOGY, CROSSINGS, CLEAN, MEASURE, FIXED, SELECTED = 1, 2, 4, 8, 16, 32
 SINGLE, LONG_INDICES, ANY_INDEX, LABELS, EVERY_THREADS = 64, 128, 256, 512, 1024
@@ -85,3 +90,16 @@ def _random_rest(setting: CoreSetting, vertices: int, faces: int) -> bytes:
         rest += chance.random(vertices).astype("<f4").tobytes()
     channels = 2 * setting.textures + setting.scalars
     return rest + chance.random((faces, 3, channels)).astype("<f4").tobytes()
+
+
+def write_seeds(folder: Path) -> None:
+    """Those that a fuzzer is quick with, each with one setting."""
+    for number, mesh in enumerate(corpus()):
+        setting = core_settings()[number % len(core_settings())]
+        content = bytes_of(mesh, setting)
+        if len(content) < 4096:
+            (folder / f"{mesh.name}_{setting.name}").write_bytes(content)
+
+
+if __name__ == "__main__":
+    write_seeds(Path(sys.argv[1]))
