@@ -13,6 +13,7 @@ import laplacian_simplify as ls
 FEW = settings(derandomize=True, deadline=None, max_examples=60, suppress_health_check=list(HealthCheck))
 
 Mesh = tuple[np.ndarray, np.ndarray]
+_REFUSALS = "each has the same vertex at two corners", "leaves no face"
 
 
 @st.composite
@@ -55,8 +56,8 @@ def simplified(mesh: Mesh, chosen: dict[str, Any], **more: Any) -> Any:
     try:
         return ls.simplify(vertices, faces, **chosen, **more)
     except ValueError as refusal:
-        words = "each has the same vertex at two corners", "leaves no face"
-        assert any(part in str(refusal) for part in words), refusal
+        if not any(words in str(refusal) for words in _REFUSALS):
+            raise
         return None
     finally:
         assert np.array_equal(vertices, mesh[0])
@@ -92,7 +93,8 @@ def test_report_is_that_of_the_result(mesh: Mesh, chosen: dict[str, Any]) -> Non
     if result is None:
         return
     report = result.report
-    assert (report.faces_before, report.faces, report.vertices) == (len(mesh[1]), len(result.faces), len(result.vertices))
+    assert (report.faces_before, report.faces) == (len(mesh[1]), len(result.faces))
+    assert report.vertices == len(result.vertices)
     assert report.target_reached == (len(result.faces) <= chosen["target_faces"])
     assert report.stop_reason in (0, 1, 2)
     assert (report.stop_reason == 0) == report.target_reached

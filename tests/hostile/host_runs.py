@@ -34,7 +34,8 @@ class Run:
 class _Process:
     """host_process.py, started again after it ended."""
 
-    def __init__(self) -> None:
+    def __init__(self, program: list[str]) -> None:
+        self._program = program
         self._child: subprocess.Popen[str] | None = None
 
     def answer(self, mesh: int, setting: int) -> tuple[str, str, float]:
@@ -52,11 +53,10 @@ class _Process:
         return "fault", _end_in_words(child.wait()), time.monotonic() - start
 
     def _started(self) -> "subprocess.Popen[str]":
-        program = [sys.executable, str(Path(__file__).with_name("host_process.py"))]
         pipe = subprocess.PIPE
-        child = subprocess.Popen(program, stdin=pipe, stdout=pipe, text=True)
+        child = subprocess.Popen(self._program, stdin=pipe, stdout=pipe, text=True)
         if child.stdout.readline() != "ready\n":
-            raise RuntimeError("host_process.py does not start")
+            raise RuntimeError(f"{self._program} does not start")
         return child
 
     def close(self) -> None:
@@ -73,9 +73,15 @@ def _end_in_words(code: int) -> str:
     return f"the process ended by {signal.Signals(-code).name}" if code < 0 else f"the process ended with {code}"
 
 
-def host_runs(meshes: list[HostileMesh], settings: list[Setting], jobs: Iterable[tuple[int, int]]) -> Iterator[Run]:
-    """One process for all jobs, which are numbers of a mesh and of a setting."""
-    process = _Process()
+def host_runs(
+    meshes: list[HostileMesh],
+    settings: list[Setting],
+    jobs: Iterable[tuple[int, int]],
+    program: list[str] | None = None,
+) -> Iterator[Run]:
+    """One process for all jobs, which are numbers of a mesh and of a setting. Program: in place of host_process.py."""
+    own = [sys.executable, str(Path(__file__).with_name("host_process.py"))]
+    process = _Process(program or own)
     try:
         for mesh, setting in jobs:
             answer = process.answer(mesh, setting)
