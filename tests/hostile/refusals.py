@@ -14,6 +14,8 @@ _SENTENCES = (
     r"the vertex indices of \d+ of \d+ faces are outside \[0, \d+\); the first of them is face \d+",
     r"weld_distance = [\d.]+ leaves no face: every one has two corners that are welded",
     r"classes = \d+ exceeds the number of distinct values, \d+",
+    r"(effort|boundary|seams|feature_weight|attribute_weight) = [\d.]+ is outside \[0, \d+\]",
+    r"target_faces = 0 is less than 1",
     r"selected_only = true, but no face is selected",
     r"selected_only = true, but no face or vertex is selected",
     r"lock_selected_vertices = true, but no vertex is selected",
