@@ -8,6 +8,7 @@ had a fault. As a program: scripts/hostile, which builds what is run.
 
 import argparse
 import sys
+import zlib
 from collections import Counter, defaultdict
 from collections.abc import Iterable
 from pathlib import Path
@@ -20,12 +21,13 @@ from settings import settings
 
 
 def jobs_of(meshes: list[HostileMesh], settings_count: int, every: int, valid_only: bool) -> list[tuple[int, int]]:
-    """Pairs of mesh and setting, mesh by mesh; one of so many, the same ones each time."""
+    """Pairs of mesh and setting, mesh by mesh; one of so many, mixed so that none is left out for its place."""
     return [
         (mesh, setting)
         for mesh in range(len(meshes))
         for setting in range(settings_count)
-        if (7 * mesh + setting) % every == 0 and (meshes[mesh].indices_are_valid or not valid_only)
+        if zlib.crc32(f"{meshes[mesh].name} {setting}".encode()) % every == 0
+        and (meshes[mesh].indices_are_valid or not valid_only)
     ]
 
 
