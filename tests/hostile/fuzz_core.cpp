@@ -12,6 +12,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     hostile::Case given = hostile::CaseOf(bytes, size);
+    given.selected.clear(); // a wish of the C function
     given.levelCount = std::max<std::size_t>(1, given.levelCount);
     const hostile::Ending ending = hostile::CheckedRun(given);
     if (ending.kind != hostile::Ending::Fault) return 0;
