@@ -8,11 +8,11 @@ had a fault. As a program: scripts/hostile, which builds what is run.
 
 import argparse
 import sys
-import zlib
 from collections import Counter, defaultdict
 from collections.abc import Iterable
 from pathlib import Path
 
+import numpy as np
 from core_runs import core_runs
 from host_runs import Run, host_runs
 from hostile_meshes import HostileMesh, corpus
@@ -21,13 +21,12 @@ from settings import settings
 
 
 def jobs_of(meshes: list[HostileMesh], settings_count: int, every: int, valid_only: bool) -> list[tuple[int, int]]:
-    """Pairs of mesh and setting, mesh by mesh; one of so many, mixed so that none is left out for its place."""
+    """Pairs of mesh and setting, mesh by mesh; one of so many by chance, the same ones each time."""
+    wanted = np.random.default_rng(0).random((len(meshes), settings_count)) * every < 1
     return [
-        (mesh, setting)
-        for mesh in range(len(meshes))
-        for setting in range(settings_count)
-        if zlib.crc32(f"{meshes[mesh].name} {setting}".encode()) % every == 0
-        and (meshes[mesh].indices_are_valid or not valid_only)
+        (int(mesh), int(setting))
+        for mesh, setting in np.argwhere(wanted)
+        if meshes[mesh].indices_are_valid or not valid_only
     ]
 
 
