@@ -5,7 +5,7 @@
 import re
 
 _SENTENCES = (
-    r"the mesh has no faces \([\d,]+ vertices\)",
+    r"the mesh has no faces( \([\d,]+ vertices\))?",
     r"the mesh is unusable: the coordinates of [\d,]+ of [\d,]+ vertices are not finite or larger than 1e18",
     r"the coordinates of \d+ of \d+ vertices are not finite or larger than 1e18",
     r"the coordinates of \d+ of \d+ vertices are not finite",
