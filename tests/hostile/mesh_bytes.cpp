@@ -124,7 +124,7 @@ Case CaseOf(const std::uint8_t* bytes, std::size_t size)
     Reader reader(bytes, size);
     const unsigned flags = reader.Take<std::uint16_t>();
     const unsigned coordinates = reader.Take<std::uint8_t>() % kCoordinateKinds;
-    const int exponent = reader.Take<std::int8_t>();
+    const int exponent = reader.Take<std::uint8_t>() - 128;
     // No more than the bytes could fill twice, so that small inputs stay quick.
     const std::size_t vertices = std::min<std::size_t>(reader.Take<std::uint16_t>(), size);
     const std::size_t faces = std::min<std::size_t>(reader.Take<std::uint16_t>(), size);

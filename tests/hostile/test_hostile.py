@@ -53,7 +53,7 @@ def test_core_has_no_fault() -> None:
     if not PROGRAM.exists():
         pytest.skip("scripts/test builds it: cmake --build --preset tests --target hostile_cases")
     meshes = corpus()
-    jobs = jobs_of(meshes, len(core_settings()), every=53, valid_only=False)
+    jobs = jobs_of(meshes, len(core_settings()), every=89, valid_only=False)
     assert [run for run in core_runs(PROGRAM, meshes, core_settings(), jobs) if run.kind == "fault"] == []
 
 
