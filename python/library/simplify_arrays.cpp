@@ -36,16 +36,25 @@ struct Storage {
     std::vector<laplacian_simplify_texture> textures;
 };
 
+/// The \p value-th of \p count enumerators. \throws std::invalid_argument where there is none
+template <class E>
+E Choice(const char* name, std::int32_t value, std::int32_t count)
+{
+    if (value >= 0 && value < count) return static_cast<E>(value);
+    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + " is outside [0, " +
+                                std::to_string(count - 1) + "]");
+}
+
 vcg_ext::DecimationParameters ToCore(const Parameters& given)
 {
     vcg_ext::DecimationParameters parameters;
     parameters.targetFaces = given.target_faces;
     parameters.maxError = given.max_error;
     parameters.featureWeight = given.feature_weight;
-    parameters.effort = static_cast<vcg_ext::Effort>(given.effort);
-    parameters.boundary = static_cast<vcg_ext::Boundary>(given.boundary);
+    parameters.effort = Choice<vcg_ext::Effort>("effort", given.effort, 3);
+    parameters.boundary = Choice<vcg_ext::Boundary>("boundary", given.boundary, 3);
     parameters.attributeWeight = given.attribute_weight;
-    parameters.seams = static_cast<vcg_ext::Seams>(given.seams);
+    parameters.seams = Choice<vcg_ext::Seams>("seams", given.seams, 2);
     parameters.preserveTopology = given.preserve_topology != 0;
     parameters.avoidSelfIntersections = given.avoid_self_intersections != 0;
     parameters.cleanInput = given.clean_input != 0;

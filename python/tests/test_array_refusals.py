@@ -8,6 +8,7 @@ from array_meshes import wave
 
 import laplacian_simplify as ls
 from laplacian_simplify.arrays import _MESH_SETS_ONLY
+from laplacian_simplify.library import MeshArrays, run
 from laplacian_simplify.library_structures import ParametersStructure
 from laplacian_simplify.tables import filter_named
 
@@ -90,6 +91,13 @@ def test_refused_by_name(arguments, error: type[Exception], said: str) -> None:
     *arrays, options = arguments if isinstance(arguments[-1], dict) else (*arguments, {})
     with pytest.raises(error, match=said):
         ls.simplify(*arrays, **options)
+
+
+@pytest.mark.parametrize("name", ["effort", "boundary", "seams"])
+@pytest.mark.parametrize("value", [-1, 3])
+def test_c_function_refuses_choices_that_there_are_not(name: str, value: int) -> None:
+    with pytest.raises(ValueError, match=f"{name} = {value} is outside "):
+        run(MeshArrays(V, F.astype(np.int32)), {"target_faces": 5, name: value}, None)
 
 
 def test_every_parameter_of_the_filter_is_known_here() -> None:

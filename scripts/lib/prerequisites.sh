@@ -13,6 +13,9 @@ picture_packages=(libegl1)
 # chromium: opens the page of --report. libomp: OpenMP of Clang. locales: the sources of one with a decimal comma.
 test_packages=(git ccache clang-14 clang-format-14 libomp-14-dev shellcheck locales xvfb xauth openbox
     xdotool imagemagick libegl1 chromium)
+# shellcheck disable=SC2034 # not every script fuzzes
+# The sanitizers and libFuzzer of Clang.
+fuzz_packages=(libclang-rt-14-dev)
 
 # Prints those of the given packages that are not installed.
 missing_packages() {

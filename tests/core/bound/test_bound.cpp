@@ -10,12 +10,14 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analytic_meshes.h"
 #include "vcg_ext/core/bound/bound_keeper.h"
 #include "vcg_ext/core/bound/piece_proof.h"
+#include "vcg_ext/core/bound/segment_proof.h"
 #include "vcg_ext/core/simplify.h"
 
 using namespace vcg_ext;
@@ -301,6 +303,20 @@ class TestBound : public QObject
     }
 
     /// A bound that refuses everything would be true as well.
+    /// A limit below the spacing of single precision: from the one face to the other there is no way by
+    /// halves.
+    void segmentBetweenNeighboringNumbersEnds()
+    {
+        const SegmentEnd left{{0, 0, 0}, 0, 0}, right{{1, 0, 0}, 1, 0};
+        const auto distance2 = [](std::uint32_t, const Vector3<float>&) { return 1.0F; };
+        int calls = 0;
+        const auto find = [&](const Vector3<float>& p, std::uint32_t, std::uint32_t) {
+            const bool going = ++calls < 1000;
+            return going ? std::make_optional(SegmentEnd{p, p.x < 0.3F ? 0U : 1U, 0}) : std::nullopt;
+        };
+        SegmentStack stack;
+        QVERIFY(SegmentIsWithin(left, right, 1e-12F, distance2, find, stack));
+    }
     void usesTheBound()
     {
         const IndexedMesh mesh = test_meshes::Icosphere(4); // 5,120 faces

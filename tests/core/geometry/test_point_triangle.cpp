@@ -68,6 +68,21 @@ class TestPointTriangle : public QObject
         }
     }
 
+    /// Their dot products cancel: a point far from the needle seemed to be over it, and weights became
+    /// infinite.
+    void closestPointOfANeedleIsWhereItsWeightsAre()
+    {
+        std::mt19937 random(3);
+        for (int i = 0; i < 20000; ++i) {
+            const Vector3<float> b = RandomVector(random, 1);
+            const float sine = std::pow(10.0F, -3 - 4 * std::abs(RandomVector(random, 1).x));
+            const Vector3<float> c = b + sine * RandomVector(random, 1), p = RandomVector(random, 1);
+            const auto closest = vcg_ext::ClosestOnTriangle(p, b, c);
+            for (const float weight : closest.weights) QVERIFY(weight >= -1e-3F && weight <= 1 + 1e-3F);
+            const float distance = Norm(p - closest.weights[1] * b - closest.weights[2] * c);
+            QVERIFY2(Near(std::sqrt(closest.distance2), distance, 10), qPrintable(QString::number(distance)));
+        }
+    }
     void closestPointOfADegenerateTriangleIsThatOfItsLongestEdge()
     {
         const std::array<std::pair<Vector3<float>, Vector3<float>>, 4> triangles{

@@ -127,7 +127,8 @@ class AttributeMeasure
         });
         std::vector<double> sum(channels, 0);
         for (const auto& part : parts)
-            for (std::size_t k = 0; k < channels; ++k) sum[k] += part[k] / static_cast<double>(points.size());
+            for (std::size_t k = 0; k < channels; ++k)
+                sum[k] += part[k] / static_cast<double>(std::max<std::size_t>(1, points.size()));
         return sum;
     }
 

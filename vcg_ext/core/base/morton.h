@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -29,7 +30,8 @@ class MortonGrid
     {
         double extent = 0;
         for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high[k] - low[k]);
-        if (extent > 0) scale_ = (1 << kBitsPerAxis) / extent;
+        const double scale = (1 << kBitsPerAxis) / extent;
+        if (extent > 0 && std::isfinite(scale)) scale_ = scale; // else all lie in one cell
     }
 
     std::uint32_t Code(const std::array<double, 3>& p) const

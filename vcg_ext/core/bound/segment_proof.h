@@ -26,7 +26,8 @@ using SegmentStack = std::vector<std::pair<SegmentEnd, SegmentEnd>>;
 ///
 /// A piece is if both ends are within the limit of the same face: the distance to a convex set is convex
 /// along a segment. It also is if its length is at most 2 limit - d_a - d_b: each of its points is then close
-/// enough to one of the ends. Other pieces are halved; those of .02 limit are taken for proven.
+/// enough to one of the ends. Other pieces are halved; those of .02 limit are taken for proven, and so are
+/// those whose middle is one of the ends, as single precision has no point between.
 ///
 /// \param distance2 distance2(face, point), squared
 /// \param find find(point, faceA, faceB): a SegmentEnd at the point, nothing where no face is close enough
@@ -47,7 +48,9 @@ bool SegmentIsWithin(const SegmentEnd& a, const SegmentEnd& b, float limit, cons
         const float reach = 2 * limit - p.distance - q.distance;
         if (length2 <= shortest2 || (reach > 0 && length2 <= reach * reach)) continue;
         if (distance2(p.face, q.position) <= limit2 || distance2(q.face, p.position) <= limit2) continue;
-        const std::optional<SegmentEnd> middle = find(0.5F * (p.position + q.position), p.face, q.face);
+        const Vector3<float> center = 0.5F * (p.position + q.position);
+        if (SquaredNorm(center - p.position) == 0 || SquaredNorm(q.position - center) == 0) continue;
+        const std::optional<SegmentEnd> middle = find(center, p.face, q.face);
         if (!middle) return false;
         stack.emplace_back(p, *middle);
         stack.emplace_back(*middle, q);

@@ -24,6 +24,10 @@ using ClosestPoint = ClosestPointOf<float>;
 /// computed normal would be rounding, and a height over it no distance.
 constexpr float kFlattestSine2 = 1e-12F;
 
+/// Below this squared sine the determinant of the dot products is mostly rounding, and so is what they say of
+/// being over the inside: the normal is asked.
+constexpr float kFlatSine2 = 1e-5F;
+
 /// The point (1 - wb - wc) 0 + wb b + wc c as an answer.
 template <class Real>
 ClosestPointOf<Real> PointAtWeights(const Vector3<Real>& p, const Vector3<Real>& b, const Vector3<Real>& c,
@@ -72,7 +76,12 @@ ClosestPointOf<Real> ClosestOnTriangle(const Vector3<Real>& p, const Vector3<Rea
     const Vector3<Real> normal = Cross(b, c);
     const Real normal2 = SquaredNorm(normal), height = Dot(normal, p);
     if (!(normal2 > Real{kFlattestSine2} * bb * cc)) return ClosestOnEdges(p, b, c);
-    const Real determinant = std::max(bb * cc - bc * bc, Real{kSmallestSquare});
+    const Real determinant = bb * cc - bc * bc;
+    if (!(determinant > Real{kFlatSine2} * bb * cc)) {
+        const Real wb = Dot(Cross(p, c), normal) / normal2, wc = Dot(Cross(b, p), normal) / normal2;
+        if (!(wb >= 0 && wc >= 0 && wb + wc <= 1)) return ClosestOnEdges(p, b, c);
+        return {height * height / normal2, {1 - wb - wc, wb, wc}};
+    }
     const Real wb = (cc * pb - bc * pc) / determinant, wc = (bb * pc - bc * pb) / determinant;
     return {height * height / normal2, {1 - wb - wc, wb, wc}};
 }

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Laplacian Simplify authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// libFuzzer on the core: levels of detail of a mesh of any bytes.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "checked_run.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    hostile::Case given = hostile::CaseOf(bytes, size);
+    given.selected.clear(); // a wish of the C function
+    given.levelCount = std::max<std::size_t>(1, given.levelCount);
+    const hostile::Ending ending = hostile::CheckedRun(given);
+    if (ending.kind != hostile::Ending::Fault) return 0;
+    std::fprintf(stderr, "fault: %s\n", ending.said.c_str());
+    std::abort();
+}
