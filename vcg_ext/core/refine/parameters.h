@@ -173,6 +173,15 @@ constexpr int kWorstTrials = 12;
 /// searched for among all faces of the original: a walk can end at a hole or in a fold.
 constexpr float kDoubtful = 2;
 
+// The check by points that no pass has looked at
+
+/// Steps along an edge from one such point to the next.
+constexpr int kHeldOutGrid = 8;
+/// x the limit; points may be farther than that where one of a few, or a sample, is farther than this.
+constexpr float kSuspect = 0.5F, kSuspectSample = 0.33F;
+/// What goes back can make its neighbours worse.
+constexpr int kTakeBackRounds = 8;
+
 /// Vertices that one thread works on at a time: few enough to share the work evenly, many enough that few
 /// vertices lie between two blocks. The result depends on it.
 constexpr std::uint32_t kBlockVertices = 2048;

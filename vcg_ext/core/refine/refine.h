@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -19,6 +22,7 @@
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/passes.h"
 #include "vcg_ext/core/refine/rounds.h"
+#include "vcg_ext/core/refine/take_back.h"
 #include "vcg_ext/core/refine/worst_stars.h"
 
 namespace vcg_ext
@@ -108,6 +112,7 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         report.rmsAfter = std::sqrt(MeanSquare(state.samples));
         return report;
     }
+    const SurfaceBefore before(simplified);
     if (parameters.flip) report.flips = FlipEdges(state, threads);
     for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
         reached(40 + 60 * sweep / parameters.moveSweeps);
@@ -116,6 +121,13 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         ++report.sweeps;
         if (moves == 0) break;
     }
+    auto t0=clock();
+    Suspects suspects = SuspectFinder(state, state.farthest2, threads).Find();
+    auto t1=clock(); const auto n1=suspects.ofSimplified.size(),n2=suspects.ofOriginal.size();
+    if(!getenv("NOTB")){
+    StarCheck check(original, simplified, before, state.farthest2, threads);
+    if (!suspects.empty()) check.Run(std::move(suspects));
+    if (getenv("TB")) fprintf(stderr, "[near %zu suspects %zu %zu worse %zu moves %zu flips %zu rounds %d; %ld + %ld us]\n", check.taken.near, n1,n2, check.taken.worse, check.taken.moves, check.taken.flips, check.taken.rounds, t1-t0, clock()-t1);}
     report.rmsAfter = std::sqrt(MeanSquare(state.samples));
     return report;
 }
