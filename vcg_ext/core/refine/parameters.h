@@ -38,7 +38,8 @@ struct RefinementReport {
     std::size_t exchanges = 0;
     std::size_t flips = 0;
     std::size_t moves = 0;
-    std::size_t worst = 0; ///< moves of the last pass
+    std::size_t worst = 0;     ///< moves of the last pass
+    std::size_t takenBack = 0; ///< vertices and diagonals that the check at the end has put back
     RenewedPlaces renewed;
     int sweeps = 0; ///< passes of moves that were run
 };
