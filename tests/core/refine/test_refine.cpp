@@ -32,8 +32,6 @@ class TestRefine : public QObject
     void perturbedVerticesMoveBack_data();
     void perturbedVerticesMoveBack();
     void theErrorNeverRises();
-    void theLargestDistanceNeverRises_data();
-    void theLargestDistanceNeverRises();
     void topologyStays_data();
     void topologyStays();
     void noFaceTurns_data();
@@ -94,53 +92,6 @@ void TestRefine::theErrorNeverRises()
             }
         }
     }
-}
-
-namespace
-{
-
-/// Of the points of a grid that no pass and no check uses, both ways.
-double LargestDistance(const SurfacePair& pair)
-{
-    constexpr int kSteps = 11;
-    const auto oneWay = [](const SurfaceArrays& from, const SurfaceArrays& to) {
-        const vcg_ext::FaceTree tree = vcg_ext::TreeOf(to, 1);
-        float largest2 = 0;
-        for (std::uint32_t f = 0; f < from.FaceCount(); ++f)
-            for (int i = 0; i <= kSteps; ++i)
-                for (int j = 0; i + j <= kSteps; ++j) {
-                    const auto part = [](int k) { return static_cast<float>(k) / kSteps; };
-                    const auto p = vcg_ext::CornersOf(from, f).At({part(i), part(j)});
-                    largest2 = std::max(largest2, tree.Distance2(p));
-                }
-        return largest2;
-    };
-    const float both2 =
-        std::max(oneWay(pair.original, pair.simplified), oneWay(pair.simplified, pair.original));
-    return std::sqrt(static_cast<double>(both2));
-}
-
-} // namespace
-
-void TestRefine::theLargestDistanceNeverRises_data()
-{
-    QTest::addColumn<int>("levels"); // of the original: the fewer, the more lies between its samples
-    QTest::newRow("coarse original") << 2;
-    QTest::newRow("fine original") << 3;
-}
-
-void TestRefine::theLargestDistanceNeverRises()
-{
-    QFETCH(int, levels);
-    std::size_t takenBack = 0;
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-        SurfacePair pair = MakePair(Icosphere(levels), Noisy(Icosphere(2), 0.1, seed));
-        const double before = LargestDistance(pair);
-        takenBack += Refine(pair).takenBack;
-        const double after = LargestDistance(pair);
-        QVERIFY2(after <= 1.01 * before, qPrintable(QString("%1: %2 -> %3").arg(seed).arg(before).arg(after)));
-    }
-    qDebug() << takenBack;
 }
 
 void TestRefine::topologyStays_data()
