@@ -30,22 +30,22 @@ namespace vcg_ext
 /// Cells of space in which something is asked for.
 class AskedCells
 {
-    static constexpr int kCells = 64; ///< along an axis
-    std::vector<bool> asked_ = std::vector<bool>(std::size_t{kCells} * kCells * kCells);
+    static constexpr std::size_t kCells = 64; ///< along an axis
+    std::vector<bool> asked_ = std::vector<bool>(kCells * kCells * kCells);
 
-    static int CellOf(float x)
+    static std::size_t CellOf(float x)
     {
         constexpr auto kHalf = static_cast<float>(kFrameDiagonal / 2);
-        const float cell = (x + kHalf) * (kCells / (2 * kHalf));
-        return static_cast<int>(std::clamp(cell, 0.0F, static_cast<float>(kCells - 1)));
+        const float cell = (x + kHalf) * (static_cast<float>(kCells) / (2 * kHalf));
+        return static_cast<std::size_t>(std::clamp(cell, 0.0F, static_cast<float>(kCells - 1)));
     }
     template <class Visit>
     static bool AnyCell(const Box3<float>& box, const Visit& visit)
     {
-        for (int x = CellOf(box.low.x); x <= CellOf(box.high.x); ++x)
-            for (int y = CellOf(box.low.y); y <= CellOf(box.high.y); ++y)
-                for (int z = CellOf(box.low.z); z <= CellOf(box.high.z); ++z)
-                    if (visit(static_cast<std::size_t>((x * kCells + y) * kCells + z))) return true;
+        for (std::size_t x = CellOf(box.low.x); x <= CellOf(box.high.x); ++x)
+            for (std::size_t y = CellOf(box.low.y); y <= CellOf(box.high.y); ++y)
+                for (std::size_t z = CellOf(box.low.z); z <= CellOf(box.high.z); ++z)
+                    if (visit((x * kCells + y) * kCells + z)) return true;
         return false;
     }
 
