@@ -11,6 +11,7 @@ from build_peers import PROJECT
 from meshes import GROUPS, MODELS
 from metrics import SAMPLES
 from page_aims import aim_lines
+from page_optimum import optimum_lines
 from page_validity import validity_lines
 from peers import OWN, PEERS, Peer, peer_named
 from ratio_tables import EQUAL_BELOW
@@ -239,6 +240,7 @@ def write_page(sections: dict, destination: Path, command: str) -> None:
         definitions(sections.get("run", {}).get("meshes", [])),
         *aim_lines(sections),
         *geometry_lines(quality),
+        *optimum_lines(sections.get("optimum", {})),
         *validity_lines(sections.get("validity", {})),
         *command_lines(sections.get("command", {})),
         *picture_lines(sections.get("pictures", {})),

@@ -3,17 +3,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures this project against its peers and writes docs/benchmark.md; scripts/benchmark prepares what it needs.
 
-Sections: quality, validity, command, speed, growth, descriptor, pictures. Figures are kept between runs in the
+Sections: quality, optimum, validity, command, speed, growth, descriptor, pictures. Figures are kept between runs in the
 folder, so a single section can be measured again; peers' geometry is measured once, this project's every time.
 """
 
 import argparse
+from datetime import date
 from pathlib import Path
 
 import machine
 from build_peers import PROJECT, build_all
 from claims import measure_command, measure_descriptor
 from meshes import all_meshes_in, meshes_in, subdivided
+from optimum import measure_optimum
 from page import picture_captions, write_page
 from peers import ENGINE, HOST, OWN, PEERS, REFERENCE
 from pictures import draw_error_maps
@@ -22,7 +24,7 @@ from runs import Store, Workshop
 from timing import Plan, measure_growth, measure_pairs, measure_speed
 from validity import measure_validity
 
-SECTIONS = ("quality", "validity", "command", "speed", "growth", "descriptor", "pictures")
+SECTIONS = ("quality", "optimum", "validity", "command", "speed", "growth", "descriptor", "pictures")
 QUICK_MESHES = ("fandisk", "cow")
 QUICK_FACES = 16_000
 QUICK_PEERS = ("cgal_lt", "cgal_gh", "pymeshlab", "meshoptimizer_debian")
@@ -91,6 +93,9 @@ class Benchmark:
     def quality(self):
         peers = [peer for peer in PEERS if not self.quick or peer.id in QUICK_PEERS]
         measure_quality(self.workshop, self.store, self.meshes, peers=peers)
+
+    def optimum(self):
+        measure_optimum(self.workshop, self.store, date.today().isoformat())
 
     def validity(self):
         measure_validity(self.workshop, self.store, self.every_mesh())

@@ -79,18 +79,30 @@ inline Buffer<Sample> LocateSamples(const SurfaceArrays& simplified, const Sampl
     return located;
 }
 
-/// The faces of a surface in a tree, for questions in its own frame.
-inline FaceTree TreeOf(const SurfaceArrays& surface, int threads)
+/// Faces of a surface in a tree, for questions in its own frame.
+/// \param faces which; neighbours in space should follow each other
+inline FaceTree TreeOf(const Buffer<SurfacePoint>& points, const Buffer<SurfaceTriangle>& triangles,
+                       int threads, const std::vector<std::uint32_t>& faces)
 {
     MeshView view;
-    view.positions = surface.points.data();
+    view.positions = points.data();
     view.positionStride = sizeof(SurfacePoint);
-    view.vertexCount = surface.VertexCount();
-    view.triangles = surface.triangles.data()->v;
-    view.faceCount = surface.FaceCount();
-    std::vector<std::uint32_t> order(surface.FaceCount()); // neighbours in space follow each other already
+    view.vertexCount = points.size();
+    view.triangles = triangles.data()->v;
+    view.faceCount = triangles.size();
+    return {view, Frame{}, threads, faces};
+}
+/// All of them.
+inline FaceTree TreeOf(const Buffer<SurfacePoint>& points, const Buffer<SurfaceTriangle>& triangles,
+                       int threads)
+{
+    std::vector<std::uint32_t> order(triangles.size()); // neighbours in space follow each other already
     std::iota(order.begin(), order.end(), 0U);
-    return {view, Frame{}, threads, order};
+    return TreeOf(points, triangles, threads, order);
+}
+inline FaceTree TreeOf(const SurfaceArrays& surface, int threads)
+{
+    return TreeOf(surface.points, surface.triangles, threads);
 }
 
 /// Attaches those of \p samples that are far from the face that a walk found to the closest of all faces.

@@ -38,7 +38,8 @@ struct RefinementReport {
     std::size_t exchanges = 0;
     std::size_t flips = 0;
     std::size_t moves = 0;
-    std::size_t worst = 0; ///< moves of the last pass
+    std::size_t worst = 0;     ///< moves of the last pass
+    std::size_t takenBack = 0; ///< vertices and diagonals that the check at the end has put back
     RenewedPlaces renewed;
     int sweeps = 0; ///< passes of moves that were run
 };
@@ -172,6 +173,15 @@ constexpr int kWorstTrials = 12;
 /// Squared distances backward of more than this x the larger of rms^2 and the largest one forward are
 /// searched for among all faces of the original: a walk can end at a hole or in a fold.
 constexpr float kDoubtful = 2;
+
+// The check by points that no pass has looked at
+
+/// Steps along an edge from one such point to the next.
+constexpr int kHeldOutGrid = 8;
+/// x the limit; points may be farther than that where one of a few, or a sample, is farther than this.
+constexpr float kSuspect = 0.5F, kSuspectSample = 0.33F;
+/// What goes back can make its neighbours worse.
+constexpr int kTakeBackRounds = 8;
 
 /// Vertices that one thread works on at a time: few enough to share the work evenly, many enough that few
 /// vertices lie between two blocks. The result depends on it.

@@ -15,10 +15,12 @@
 #include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/mesh/vertex_blocks.h"
 #include "vcg_ext/core/refine/attach_samples.h"
+#include "vcg_ext/core/refine/check_stars.h"
 #include "vcg_ext/core/refine/energy.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/passes.h"
 #include "vcg_ext/core/refine/rounds.h"
+#include "vcg_ext/core/refine/take_back.h"
 #include "vcg_ext/core/refine/worst_stars.h"
 
 namespace vcg_ext
@@ -64,12 +66,33 @@ inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArr
     return state;
 }
 
+/// One pass of flips and a few of moves, and a check of what they have done.
+/// \param reached called with the percentage that is done; may throw
+template <class Reached>
+void RefineInPasses(RefinementState& state, const RefinementParameters& parameters, int threads,
+                    RefinementReport& report, const Reached& reached)
+{
+    const SurfaceBefore before(state.simplified);
+    if (parameters.flip) report.flips = FlipEdges(state, threads);
+    for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
+        reached(40 + 60 * sweep / parameters.moveSweeps);
+        const std::size_t moves = MoveVertices(state, threads);
+        report.moves += moves;
+        ++report.sweeps;
+        if (moves == 0) break;
+    }
+    report.rmsAfter = std::sqrt(MeanSquare(state.samples));
+    report.takenBack = TakeBackWorse(state, before, threads);
+}
+
 /// Moves the vertices and flips the edges of a simplified surface so that the weighted squared distance
 /// between it and the original falls, in both directions. Vertices, faces and their number stay.
 ///
 /// No move or flip turns a face over, makes a degenerate or duplicate face or an edge with more than two
-/// faces, or lets the energy of its star rise. Border vertices, fixed vertices and edges between two fixed
-/// vertices stay. The bytes of the result do not depend on the number of threads.
+/// faces, or lets the energy of its star rise. Where points that were not looked at say that the largest
+/// distance rose nevertheless, vertices and diagonals go back, unless parameters.exchange is set. Border
+/// vertices, fixed vertices and edges between two fixed vertices stay. The bytes of the result do not depend
+/// on the number of threads.
 ///
 /// \param original weights of the points: e^{2 l}, > 0
 /// \param simplified in the same frame; flags mark border and fixed vertices. Moved vertices get
@@ -108,15 +131,7 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         report.rmsAfter = std::sqrt(MeanSquare(state.samples));
         return report;
     }
-    if (parameters.flip) report.flips = FlipEdges(state, threads);
-    for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
-        reached(40 + 60 * sweep / parameters.moveSweeps);
-        const std::size_t moves = MoveVertices(state, threads);
-        report.moves += moves;
-        ++report.sweeps;
-        if (moves == 0) break;
-    }
-    report.rmsAfter = std::sqrt(MeanSquare(state.samples));
+    RefineInPasses(state, parameters, threads, report, reached);
     return report;
 }
 
