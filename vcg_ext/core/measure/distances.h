@@ -7,12 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <vector>
 
+#include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/measure/exact_surface.h"
+#include "vcg_ext/core/measure/group_search.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/face_tree.h"
@@ -45,31 +46,47 @@ struct OneWay {
 
 constexpr std::size_t kGrain = 1024; ///< points that one thread measures at a time
 
-/// Points spread evenly by area: stratified along the faces, low-discrepancy inside them. Deterministic.
-inline std::vector<Vector3<double>> SamplePoints(const ExactSurface& surface, std::size_t count)
+/// Points spread evenly by area over a surface: stratified along the faces in the order of its tree,
+/// low-discrepancy inside them. Deterministic, and those that follow each other are near each other.
+class SurfaceSamples
 {
-    std::vector<double> upTo(surface.FaceCount());
-    double area = 0;
-    for (std::size_t f = 0; f < upTo.size(); ++f) upTo[f] = area += Norm(surface.AreaVector(f));
-    std::vector<Vector3<double>> points;
-    if (!(area > 0)) return points;
-    points.reserve(count);
-    std::size_t f = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double at = area * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-        while (f + 1 < upTo.size() && upTo[f] < at) ++f;
+    const ExactSurface& surface_;
+    std::vector<std::uint32_t> faces_; ///< of every sample
+
+  public:
+    double doubleArea = 0; ///< of the surface
+
+    /// \pre \p surface outlives this object
+    SurfaceSamples(const ExactSurface& surface, std::size_t count, int threads) : surface_(surface)
+    {
+        const Buffer<std::uint32_t>& order = surface.Tree().Order();
+        const Buffer<float> areas = surface.Tree().DoubleAreas(threads);
+        for (std::size_t i = 0; i < order.size(); ++i) doubleArea += static_cast<double>(areas[i]);
+        if (!(doubleArea > 0)) return;
+        faces_.reserve(count);
+        double upTo = static_cast<double>(areas[0]);
+        for (std::size_t i = 0, at = 0; i < count; ++i) {
+            const double wanted =
+                doubleArea * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+            while (at + 1 < order.size() && upTo < wanted) upTo += static_cast<double>(areas[++at]);
+            faces_.push_back(order[at]);
+        }
+    }
+    std::size_t size() const { return faces_.size(); }
+    Vector3<double> operator()(std::size_t i) const
+    {
         const double n = static_cast<double>(i + 1);
-        double a = std::fmod(n * 0.7548776662466927, 1.0); // the two-dimensional golden ratio sequence
-        double b = std::fmod(n * 0.5698402909980532, 1.0);
+        double a = n * 0.7548776662466927, b = n * 0.5698402909980532; // the two-dimensional golden ratio
+        a -= std::floor(a);
+        b -= std::floor(b);
         if (a + b > 1) {
             a = 1 - a;
             b = 1 - b;
         }
-        points.push_back((1 - a - b) * surface.Corner(f, 0) + a * surface.Corner(f, 1) +
-                         b * surface.Corner(f, 2));
+        const std::size_t f = faces_[i];
+        return (1 - a - b) * surface_.Corner(f, 0) + a * surface_.Corner(f, 1) + b * surface_.Corner(f, 2);
     }
-    return points;
-}
+};
 
 template <class PointAt>
 OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, int threads)
@@ -93,92 +110,121 @@ OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, 
     return all;
 }
 
+/// Calls visit(search, begin, end) for groups of points begin .. end - 1, which the search has taken.
+template <class PointAt, class Visit>
+void ForEachGroup(const ExactSurface& to, std::size_t count, const PointAt& point, int threads,
+                  const Visit& visit)
+{
+    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
+        GroupSearch search(to);
+        for (std::size_t first = begin; first < end; first += GroupSearch::kMost) {
+            const std::size_t size = std::min(end - first, GroupSearch::kMost);
+            search.Take(size, [&](std::size_t i) { return point(first + i); });
+            visit(search, first, first + size);
+        }
+    });
+}
+
 /// The larger of \p known2 and the largest squared distance of \p count points.
 template <class PointAt>
 double Largest2(const ExactSurface& to, std::size_t count, const PointAt& point, double known2, int threads)
 {
     std::vector<double> parts((count + kGrain - 1) / kGrain, known2);
-    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
+    ForEachGroup(to, count, point, threads, [&](GroupSearch& search, std::size_t begin, std::size_t) {
         double& largest2 = parts[begin / kGrain];
-        ExactSurface::Search search;
-        for (std::size_t i = begin; i < end; ++i) largest2 = to.LargerDistance2(point(i), largest2, search);
+        largest2 = search.LargerDistance2(largest2);
     });
     for (const double part : parts) known2 = std::max(known2, part);
     return known2;
 }
 
-/// \param near2 squared distance within which most centroids are
-inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified, double near2,
-                               int threads)
+/// \param origins for each simplified face one of the original that is near it
+inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified,
+                               const std::vector<std::uint32_t>& origins, int threads)
 {
-    std::vector<std::size_t> parts((simplified.FaceCount() + kGrain - 1) / kGrain);
-    ParallelRanges(threads, simplified.FaceCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
-        ExactSurface::Search search;
-        for (std::size_t f = begin; f < end; ++f) {
-            const Vector3<double> centroid =
-                (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
-            original.LargerDistance2(centroid, near2, search); // so that the last face is a near one
-            if (original.FacesAwayFrom(centroid, simplified.AreaVector(f), search)) ++parts[begin / kGrain];
-        }
-    });
+    const Buffer<std::uint32_t>& order = simplified.Tree().Order();
+    const auto centroid = [&](std::size_t i) {
+        const std::size_t f = order[i];
+        return (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
+    };
+    std::vector<std::size_t> parts((order.size() + kGrain - 1) / kGrain);
+    ForEachGroup(original, order.size(), centroid, threads,
+                 [&](GroupSearch& search, std::size_t begin, std::size_t end) {
+                     std::array<Vector3<double>, GroupSearch::kMost> directions;
+                     std::array<std::uint32_t, GroupSearch::kMost> near;
+                     for (std::size_t i = begin; i < end; ++i) {
+                         directions[i - begin] = simplified.AreaVector(order[i]);
+                         near[i - begin] = origins[order[i]];
+                     }
+                     parts[begin / kGrain] += search.CountFacingAway(directions, near);
+                 });
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
 }
 
-/// The vertices on faces, in ascending order.
-inline std::vector<std::uint32_t> ReferencedVertices(const MeshView& view)
+/// The vertices on faces, those that are near each other in space near each other.
+inline std::vector<std::uint32_t> ReferencedVertices(const MeshView& view, const FaceTree& tree)
 {
     std::vector<bool> used(view.vertexCount);
-    for (std::size_t k = 0; k < 3 * view.faceCount; ++k) used[view.triangles[k]] = true;
     std::vector<std::uint32_t> vertices;
-    for (std::uint32_t v = 0; v < view.vertexCount; ++v)
-        if (used[v]) vertices.push_back(v);
+    vertices.reserve(view.vertexCount);
+    for (const std::uint32_t f : tree.Order())
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = view.triangles[3 * std::size_t{f} + k];
+            if (used[v]) continue;
+            used[v] = true;
+            vertices.push_back(v);
+        }
     return vertices;
 }
 
-/// The tenth of \p vertices with the largest value, in ascending order; ties by index.
-inline std::vector<std::uint32_t> LargestTenth(std::vector<std::uint32_t> vertices,
+/// The tenth of \p vertices with the largest value, in their order; ties by index.
+inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>& vertices,
                                                const std::vector<float>& value)
 {
-    const auto tenth = static_cast<std::ptrdiff_t>((vertices.size() + 9) / 10);
-    std::nth_element(
-        vertices.begin(), vertices.begin() + (tenth > 0 ? tenth - 1 : 0), vertices.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return value[a] != value[b] ? value[a] > value[b] : a < b; });
-    vertices.resize(static_cast<std::size_t>(tenth));
-    std::sort(vertices.begin(), vertices.end());
-    return vertices;
+    if (vertices.empty()) return {};
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        return value[a] != value[b] ? value[a] > value[b] : a < b;
+    };
+    std::vector<std::uint32_t> ranked = vertices;
+    const auto last = ranked.begin() + static_cast<std::ptrdiff_t>((ranked.size() + 9) / 10 - 1);
+    std::nth_element(ranked.begin(), last, ranked.end(), before);
+    std::vector<std::uint32_t> tenth;
+    for (const std::uint32_t v : vertices)
+        if (!before(*last, v)) tenth.push_back(v);
+    return tenth;
 }
 
 } // namespace distance_detail
 
 /// Measures both ways with \p samples points by area a side and every vertex of both.
 /// \param original with a face \param tree of its faces
-/// \param simplified with a face \param descriptor one value a vertex of \p original, says where its features
-/// are \pre finite positions
+/// \param simplified with a face \param simplifiedTree of its faces, in the same frame
+/// \param descriptor one value a vertex of \p original, says where its features are \pre finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
-                                       const DecimatedMesh& simplified, const std::vector<float>& descriptor,
-                                       std::size_t samples, int threads)
+                                       const MeshView& simplified, const FaceTree& simplifiedTree,
+                                       const std::vector<std::uint32_t>& origins,
+                                       const std::vector<float>& descriptor, std::size_t samples, int threads)
 {
     using namespace distance_detail;
-    std::vector<std::uint8_t> fixed;
-    const MeshView result = ViewOf(simplified, original, fixed);
-    const FaceTree resultTree(result, tree.frame(), threads);
-    const float slack = RoundingOf(original, result, tree.frame());
-    const ExactSurface from(original, tree, slack), to(result, resultTree, slack);
+    const float slack = RoundingOf(original, simplified, tree.frame());
+    const ExactSurface from(original, tree, slack), to(simplified, simplifiedTree, slack);
 
-    const auto fromPoints = SamplePoints(from, samples), toPoints = SamplePoints(to, samples);
-    const auto vertices = ReferencedVertices(original);
+    const SurfaceSamples fromSamples(from, samples, threads), toSamples(to, samples, threads);
+    const auto vertices = ReferencedVertices(original, tree);
+    const auto resultVertices = ReferencedVertices(simplified, simplifiedTree);
     const auto features = LargestTenth(vertices, descriptor);
-    const auto forward = Measure(
-        to, fromPoints.size(), [&](std::size_t i) { return fromPoints[i]; }, threads);
-    const auto backward = Measure(
-        from, toPoints.size(), [&](std::size_t i) { return toPoints[i]; }, threads);
-    const auto feature = Measure(
-        to, features.size(), [&](std::size_t i) { return from.Vertex(features[i]); }, threads);
     const auto vertexAt = [&](std::size_t i) { return from.Vertex(vertices[i]); };
-    const auto resultVertexAt = [&](std::size_t v) { return to.Vertex(v); };
+    const auto featureAt = [&](std::size_t i) { return from.Vertex(features[i]); };
+    const auto resultVertexAt = [&](std::size_t i) { return to.Vertex(resultVertices[i]); };
+
+    const OneWay forward = Measure(to, fromSamples.size(), fromSamples, threads);
+    const OneWay backward = Measure(from, toSamples.size(), toSamples, threads);
+    const OneWay feature =
+        Measure(to, features.size(), featureAt, threads);
     double largest2 = std::max({forward.largest2, backward.largest2, feature.largest2});
     largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
-    largest2 = Largest2(from, result.vertexCount, resultVertexAt, largest2, threads);
+    largest2 = Largest2(from, resultVertices.size(), resultVertexAt,
+                        largest2, threads);
 
     // The frame may be the simplified mesh's; percents are of the original's diagonal.
     const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / tree.frame().scale);
@@ -186,11 +232,22 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     report.hausdorff = percent * std::sqrt(largest2);
     report.rms = percent * std::sqrt((forward.MeanSquare() + backward.MeanSquare()) / 2);
     report.featureRms = percent * std::sqrt(feature.MeanSquare());
-    report.folded = CountFolded(from, to, largest2, threads);
+    report.folded = CountFolded(from, to, origins, threads);
     return report;
 }
 
-/// The same where there is no tree yet. \param threads 0: all
+/// The same for a result that has no tree yet.
+inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
+                                       const DecimatedMesh& simplified, const std::vector<float>& descriptor,
+                                       std::size_t samples, int threads)
+{
+    std::vector<std::uint8_t> fixed;
+    const MeshView result = ViewOf(simplified, original, fixed);
+    const FaceTree resultTree(result, tree.frame(), threads);
+    return MeasureDistances(original, tree, result, resultTree, simplified.faceOrigin, descriptor, samples, threads);
+}
+
+/// The same where there is no tree at all. \param threads 0: all
 inline DistanceReport MeasureDistances(const MeshView& original, const DecimatedMesh& simplified,
                                        const std::vector<float>& descriptor, std::size_t samples = 100000,
                                        int threads = 0)

@@ -85,6 +85,9 @@ class FaceTree
         }
     }
 
+    /// Where all nodes are wanted.
+    static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
+
     /// In which points and directions of the queries are.
     const Frame& frame() const { return frame_; }
 
@@ -269,6 +272,35 @@ class FaceTree
         });
     }
 
+    /// The faces, those that are close in space close to each other.
+    const Buffer<std::uint32_t>& Order() const { return faces_; }
+
+    /// Twice the area of every face, in single precision, in this order.
+    Buffer<float> DoubleAreas(int threads) const
+    {
+        constexpr std::size_t kLeafGrain = kGrain / kFacesPerLeaf;
+        Buffer<float> areas(LeafCount() * kFacesPerLeaf);
+        ParallelRanges(threads, LeafCount(), kLeafGrain, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t leaf = begin; leaf < end; ++leaf) {
+                float* here = areas.begin() + leaf * kFacesPerLeaf;
+                ForEachFour(leaf, [&](const FourTriangles& faces, const FourIndices&) {
+                    StoreUnaligned(here, Norm(Cross(faces.b, faces.c)));
+                    here += kLanes;
+                });
+            }
+        });
+        return areas;
+    }
+
+    /// Calls visit(faces, indices) for four faces at a time, near ones first, of every leaf whose box is not
+    /// farther than the root of what the last call returned, as long as wanted(nodes) has its ancestors.
+    /// \param from a point or a box \param limit2 for the first call
+    template <class From, class Wanted, class Visit>
+    void ForEachFourNear(const From& from, const Wanted& wanted, float limit2, const Visit& visit) const
+    {
+        Search(from, wanted, limit2, visit);
+    }
+
     /// Squared distance to the surface.
     float Distance2(const Vector3<float>& point) const
     {
@@ -297,11 +329,8 @@ class FaceTree
     {
         LeafFaces all;
         ForEachFour(leaf, [&](const FourTriangles& faces, const FourIndices& indices) {
-            Box3<Float4> boxes = EmptyBox<Float4>();
-            for (const Vector3<Float4>& corner : {faces.a, faces.a + faces.b, faces.a + faces.c})
-                boxes.Add(corner);
             const std::size_t left = faces_.size() - leaf * kFacesPerLeaf - all.count;
-            all.boxes[all.fours] = {boxes};
+            all.boxes[all.fours] = {BoxesOf(faces)};
             std::copy(indices.begin(), indices.end(), all.faces.begin() + kLanes * all.fours++);
             all.count += std::min<std::size_t>(left, kLanes);
         });
@@ -418,21 +447,20 @@ class FaceTree
         sides.away2 = std::min(sides.away2, MinLane(Select(away, shared, Splat(kFar))));
     }
 
-    static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
-
     /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p
     /// limit2, which the last call returned, as long as wanted(nodes) has its ancestors.
-    template <class Wanted, class Visit>
-    void Search(const Vector3<float>& point, const Wanted& wanted, float limit2, const Visit& visit) const
+    /// \param from a point or a box
+    template <class From, class Wanted, class Visit>
+    void Search(const From& from, const Wanted& wanted, float limit2, const Visit& visit) const
     {
         struct Entry {
             float distance2;
             std::uint32_t node;
-            std::size_t level; ///< levels_[level - 1][node] has its children; 0: a leaf
+            std::uint32_t level; ///< levels_[level - 1][node] has its children; 0: a leaf
         };
         constexpr std::size_t kDeepest = 16; // 4^16 leaves
         std::array<Entry, 3 * kDeepest + 1> stack;
-        stack[0] = {0, 0, levels_.size()};
+        stack[0] = {0, 0, static_cast<std::uint32_t>(levels_.size())};
         for (std::size_t size = 1; size > 0;) {
             const Entry entry = stack[--size];
             if (!(entry.distance2 <= limit2)) continue;
@@ -443,7 +471,7 @@ class FaceTree
                 continue;
             }
             const FourNodes& nodes = levels_[entry.level - 1][entry.node];
-            const Float4 distance2 = nodes.points.Distances2(point);
+            const Float4 distance2 = nodes.points.Distances2(from);
             const int visited = LaneBits((distance2 <= Splat(limit2)) & wanted(nodes));
             const std::size_t first = size;
             for (int lane = 0; lane < kLanes; ++lane) {
