@@ -26,6 +26,7 @@
 #include "vcg_ext/core/measure/report.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/find_crossings.h"
 #include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/pipeline.h"
@@ -36,7 +37,7 @@
 namespace vcg_ext
 {
 
-constexpr std::size_t kDistanceSamples = 100000; ///< a side, beside all vertices
+constexpr std::size_t kDistanceSamples = 100000; ///< at most, a side, beside all vertices
 
 /// The surface as the caller will have it.
 inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surface)
@@ -97,6 +98,7 @@ class PipelineRun
     const CollapseStage& collapse_;
     int threads_;
     std::optional<FaceTree> built_;
+    std::optional<FaceTree> resultTree_; ///< of the faces of the last result
     std::vector<std::uint32_t> faceOrder_;
     std::vector<float> descriptor_; ///< of the input's vertices; may be empty
 
@@ -119,10 +121,22 @@ class PipelineRun
         return stages_.bound ? stages_.bound->task.tree.get() : built_ ? &*built_ : nullptr;
     }
 
+    /// Pairs of faces of a result that cross; none where no face is left. Keeps its tree for the measurement.
+    /// \pre nothing moves the faces of the mesh in memory until it is measured
+    std::vector<CrossingPair> Crossings(const DecimatedMesh& mesh, const CrossingKeeper& keeper)
+    {
+        if (mesh.triangles.empty()) return {};
+        std::vector<std::uint8_t> fixed;
+        const MeshView result = ViewOf(mesh, view_, fixed);
+        resultTree_.emplace(result, Tree()->frame(), threads_);
+        return keeper.Find(result, *resultTree_);
+    }
+
     /// \param keeper guards the collapse if it has a reason to; null: nobody does
     DecimatedMesh Run(const CrossingKeeper* keeper, const StageProgress& progress)
     {
         const CrossingKeeper* const guard = keeper && keeper->Guarded() ? keeper : nullptr;
+        resultTree_.reset();
         DecimatedMesh mesh = CollapsedAndRefined(guard, progress);
         if (!stages_.bound && !built_) built_ = TreeOf(view_, mesh, faceOrder_, threads_);
         if (stages_.repairFolds && Tree())
@@ -149,7 +163,11 @@ class PipelineRun
         }
         if (mesh.wedges && mesh.wedges->channels.size() > 0)
             AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
-        report.distances = MeasureDistances(view_, *Tree(), mesh, descriptor_, kDistanceSamples, threads_);
+        std::vector<std::uint8_t> fixed;
+        const MeshView result = ViewOf(mesh, view_, fixed);
+        if (!resultTree_) resultTree_.emplace(result, Tree()->frame(), threads_);
+        report.distances = MeasureDistances(view_, *Tree(), result, *resultTree_, mesh.faceOrigin,
+                                            descriptor_, kDistanceSamples, threads_);
     }
 
   private:
@@ -173,7 +191,7 @@ inline DecimatedMesh RunWithoutCrossings(PipelineRun& run, CrossingKeeper& keepe
     constexpr int kRuns = 4; // the last of them is guarded everywhere
     for (int i = 0;; ++i) {
         DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : progress.Part(99, 100));
-        const std::vector<CrossingPair> crossings = keeper.Find(mesh);
+        const std::vector<CrossingPair> crossings = run.Crossings(mesh, keeper);
         report.selfIntersections = crossings.size();
         const bool done = mesh.triangles.empty() || keeper.Allows(crossings.size(), *run.Tree());
         report.selfIntersectionsBefore = keeper.Before();

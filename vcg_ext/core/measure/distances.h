@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -35,14 +36,54 @@ struct DistanceReport {
 namespace distance_detail
 {
 
-/// One way of the comparison.
+/// Squared distances of some points, one way.
 struct OneWay {
-    double sumOfSquares = 0;
+    double sumOfSquares = 0, sumOfFourths = 0;
     double largest2 = 0;
     std::size_t count = 0;
 
     double MeanSquare() const { return count > 0 ? sumOfSquares / static_cast<double>(count) : 0; }
+    /// Of the mean square, squared; nothing is made of how evenly the points are spread, which lowers it.
+    double StandardError2() const
+    {
+        if (count == 0) return 0;
+        const double n = static_cast<double>(count), mean = MeanSquare();
+        return std::max(0.0, sumOfFourths / n - mean * mean) / n;
+    }
+    void Add(double distance2)
+    {
+        sumOfSquares += distance2;
+        sumOfFourths += distance2 * distance2;
+        largest2 = std::max(largest2, distance2);
+        ++count;
+    }
+    void Add(const OneWay& other)
+    {
+        sumOfSquares += other.sumOfSquares;
+        sumOfFourths += other.sumOfFourths;
+        largest2 = std::max(largest2, other.largest2);
+        count += other.count;
+    }
 };
+
+/// A root mean square is known well enough where its standard error is at most this part of it.
+constexpr double kRmsError = 0.01;
+/// Points that are measured whatever that says, so that it says something.
+constexpr std::size_t kLeastPoints = 6000;
+
+/// Is the root of \p meanSquare known well enough by \p points? \param error2 squared standard error of the
+/// mean square \param largest2 what may be found where none of the points is, which is about one of as many
+/// parts of the surface
+inline bool IsPrecise(double meanSquare, double error2, double largest2, std::size_t points)
+{
+    const double allowed = 2 * kRmsError * meanSquare; // the derivative of the root
+    return points >= kLeastPoints && error2 <= allowed * allowed &&
+           largest2 <= allowed * static_cast<double>(points);
+}
+
+/// Points are measured in batches until a mean is known well enough: every kBatches-th point is one, in an
+/// order in which those of the first few batches, too, are spread evenly.
+constexpr std::array<std::size_t, 16> kBatches{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
 
 constexpr std::size_t kGrain = 1024; ///< points that one thread measures at a time
 
@@ -66,8 +107,7 @@ class SurfaceSamples
         faces_.reserve(count);
         double upTo = static_cast<double>(areas[0]);
         for (std::size_t i = 0, at = 0; i < count; ++i) {
-            const double wanted =
-                doubleArea * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+            const double wanted = doubleArea * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
             while (at + 1 < order.size() && upTo < wanted) upTo += static_cast<double>(areas[++at]);
             faces_.push_back(order[at]);
         }
@@ -88,76 +128,64 @@ class SurfaceSamples
     }
 };
 
+/// Measures those of \p count points that belong to a batch, into \p all.
 template <class PointAt>
-OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, int threads)
+void MeasureBatch(const ExactSurface& to, std::size_t batch, std::size_t count, const PointAt& point,
+                  int threads, OneWay& all)
 {
-    std::vector<OneWay> parts((count + kGrain - 1) / kGrain);
-    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
-        OneWay& part = parts[begin / kGrain];
+    const std::size_t first = kBatches[batch], step = kBatches.size();
+    const std::size_t points = count > first ? (count - first - 1) / step + 1 : 0;
+    std::vector<OneWay> parts((points + kGrain - 1) / kGrain);
+    ParallelRanges(threads, points, kGrain, [&](std::size_t begin, std::size_t end, int) {
+        OneWay part;
         ExactSurface::Search search;
-        for (std::size_t i = begin; i < end; ++i) {
-            const double distance2 = to.Distance2(point(i), search);
-            part.sumOfSquares += distance2;
-            part.largest2 = std::max(part.largest2, distance2);
-        }
+        for (std::size_t i = begin; i < end; ++i) part.Add(to.Distance2(point(first + i * step), search));
+        parts[begin / kGrain] = part;
     });
-    OneWay all;
-    all.count = count;
-    for (const OneWay& part : parts) { // in this order, whatever the threads
-        all.sumOfSquares += part.sumOfSquares;
-        all.largest2 = std::max(all.largest2, part.largest2);
-    }
-    return all;
+    for (const OneWay& part : parts) all.Add(part); // in this order, whatever the threads
 }
 
-/// Calls visit(search, begin, end) for groups of points begin .. end - 1, which the search has taken.
-template <class PointAt, class Visit>
-void ForEachGroup(const ExactSurface& to, std::size_t count, const PointAt& point, int threads,
-                  const Visit& visit)
-{
-    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
-        GroupSearch search(to);
-        for (std::size_t first = begin; first < end; first += GroupSearch::kMost) {
-            const std::size_t size = std::min(end - first, GroupSearch::kMost);
-            search.Take(size, [&](std::size_t i) { return point(first + i); });
-            visit(search, first, first + size);
-        }
-    });
-}
-
-/// The larger of \p known2 and the largest squared distance of \p count points.
+/// The larger of \p known2 and the largest squared distance of \p count points, those that follow each other
+/// near each other.
 template <class PointAt>
 double Largest2(const ExactSurface& to, std::size_t count, const PointAt& point, double known2, int threads)
 {
+    // A face comes near several points only where they are not much sparser than the faces.
+    const std::size_t most = count > to.FaceCount() ? GroupSearch::kMost : 1;
     std::vector<double> parts((count + kGrain - 1) / kGrain, known2);
-    ForEachGroup(to, count, point, threads, [&](GroupSearch& search, std::size_t begin, std::size_t) {
+    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
         double& largest2 = parts[begin / kGrain];
-        largest2 = search.LargerDistance2(largest2);
+        GroupSearch search(to);
+        for (std::size_t first = begin; first < end; first += most) {
+            search.Take(std::min(end - first, most), [&](std::size_t i) { return point(first + i); });
+            largest2 = search.LargerDistance2(largest2);
+        }
     });
     for (const double part : parts) known2 = std::max(known2, part);
     return known2;
 }
 
-/// \param origins for each simplified face one of the original that is near it
+/// \param origins for each simplified face one of the original that may be near it; may be empty
+/// \param near2 squared distance within which most centroids are
 inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified,
-                               const std::vector<std::uint32_t>& origins, int threads)
+                               const std::vector<std::uint32_t>& origins, double near2, int threads)
 {
     const Buffer<std::uint32_t>& order = simplified.Tree().Order();
-    const auto centroid = [&](std::size_t i) {
-        const std::size_t f = order[i];
-        return (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
-    };
     std::vector<std::size_t> parts((order.size() + kGrain - 1) / kGrain);
-    ForEachGroup(original, order.size(), centroid, threads,
-                 [&](GroupSearch& search, std::size_t begin, std::size_t end) {
-                     std::array<Vector3<double>, GroupSearch::kMost> directions;
-                     std::array<std::uint32_t, GroupSearch::kMost> near;
-                     for (std::size_t i = begin; i < end; ++i) {
-                         directions[i - begin] = simplified.AreaVector(order[i]);
-                         near[i - begin] = origins[order[i]];
-                     }
-                     parts[begin / kGrain] += search.CountFacingAway(directions, near);
-                 });
+    ParallelRanges(threads, order.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+        ExactSurface::Search search;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t f = order[i];
+            const Vector3<double> direction = simplified.AreaVector(f);
+            const Vector3<double> centroid =
+                (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
+            // A near face that faces along, to begin with: most often none that faces away is as near.
+            if (!origins.empty()) search.last = origins[f];
+            if (!search.last || Dot(original.AreaVector(*search.last), direction) <= 0)
+                original.LargerDistance2(centroid, near2, search);
+            if (original.FacesAwayFrom(centroid, direction, search)) ++parts[begin / kGrain];
+        }
+    });
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
 }
 
@@ -182,15 +210,23 @@ inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>&
                                                const std::vector<float>& value)
 {
     if (vertices.empty()) return {};
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-        return value[a] != value[b] ? value[a] > value[b] : a < b;
-    };
-    std::vector<std::uint32_t> ranked = vertices;
-    const auto last = ranked.begin() + static_cast<std::ptrdiff_t>((ranked.size() + 9) / 10 - 1);
-    std::nth_element(ranked.begin(), last, ranked.end(), before);
-    std::vector<std::uint32_t> tenth;
-    for (const std::uint32_t v : vertices)
-        if (!before(*last, v)) tenth.push_back(v);
+    const std::size_t count = (vertices.size() + 9) / 10;
+    std::vector<float> ranked(vertices.size());
+    std::transform(vertices.begin(), vertices.end(), ranked.begin(),
+                   [&](std::uint32_t v) { return value[v]; });
+    const auto last = ranked.begin() + static_cast<std::ptrdiff_t>(count - 1);
+    std::nth_element(ranked.begin(), last, ranked.end(), std::greater<>());
+    std::vector<std::uint32_t> tenth, tied;
+    for (const std::uint32_t v : vertices) {
+        if (value[v] == *last) tied.push_back(v);
+        if (value[v] >= *last) tenth.push_back(v);
+    }
+    const std::size_t surplus = tenth.size() - count; // of those that are tied, the largest indices
+    if (surplus == 0) return tenth;
+    const auto kept = tied.begin() + static_cast<std::ptrdiff_t>(tied.size() - surplus);
+    std::nth_element(tied.begin(), kept, tied.end());
+    const auto isSurplus = [&](std::uint32_t v) { return value[v] == *last && v >= *kept; };
+    tenth.erase(std::remove_if(tenth.begin(), tenth.end(), isSurplus), tenth.end());
     return tenth;
 }
 
@@ -217,14 +253,25 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     const auto featureAt = [&](std::size_t i) { return from.Vertex(features[i]); };
     const auto resultVertexAt = [&](std::size_t i) { return to.Vertex(resultVertices[i]); };
 
-    const OneWay forward = Measure(to, fromSamples.size(), fromSamples, threads);
-    const OneWay backward = Measure(from, toSamples.size(), toSamples, threads);
-    const OneWay feature =
-        Measure(to, features.size(), featureAt, threads);
-    double largest2 = std::max({forward.largest2, backward.largest2, feature.largest2});
-    largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
-    largest2 = Largest2(from, resultVertices.size(), resultVertexAt,
-                        largest2, threads);
+    OneWay forward, backward, feature;
+    double largest2 = 0;
+    for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
+        MeasureBatch(to, batch, fromSamples.size(), fromSamples, threads, forward);
+        MeasureBatch(from, batch, toSamples.size(), toSamples, threads, backward);
+        largest2 = std::max({largest2, forward.largest2, backward.largest2});
+        if (batch == 0) { // far fewer vertices are farther than some points
+            largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
+            largest2 = Largest2(from, resultVertices.size(), resultVertexAt, largest2, threads);
+        }
+        const double error2 = forward.StandardError2() + backward.StandardError2();
+        if (IsPrecise(forward.MeanSquare() + backward.MeanSquare(), error2, largest2,
+                      std::min(forward.count, backward.count)))
+            break;
+    }
+    for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
+        MeasureBatch(to, batch, features.size(), featureAt, threads, feature);
+        if (IsPrecise(feature.MeanSquare(), feature.StandardError2(), largest2, feature.count)) break;
+    }
 
     // The frame may be the simplified mesh's; percents are of the original's diagonal.
     const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / tree.frame().scale);
@@ -232,7 +279,7 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     report.hausdorff = percent * std::sqrt(largest2);
     report.rms = percent * std::sqrt((forward.MeanSquare() + backward.MeanSquare()) / 2);
     report.featureRms = percent * std::sqrt(feature.MeanSquare());
-    report.folded = CountFolded(from, to, origins, threads);
+    report.folded = CountFolded(from, to, origins, largest2, threads);
     return report;
 }
 
@@ -244,7 +291,8 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     std::vector<std::uint8_t> fixed;
     const MeshView result = ViewOf(simplified, original, fixed);
     const FaceTree resultTree(result, tree.frame(), threads);
-    return MeasureDistances(original, tree, result, resultTree, simplified.faceOrigin, descriptor, samples, threads);
+    return MeasureDistances(original, tree, result, resultTree, simplified.faceOrigin, descriptor, samples,
+                            threads);
 }
 
 /// The same where there is no tree at all. \param threads 0: all

@@ -49,10 +49,9 @@ struct FourBoxes {
         const auto outside = [](Float4 low, float high, float lowOther, Float4 highOther) {
             return Max(Max(low - Splat(high), Splat(lowOther) - highOther), Splat(0.0F));
         };
-        return SquaredNorm(
-            Vector3<Float4>{outside(boxes.low.x, b.high.x, b.low.x, boxes.high.x),
-                            outside(boxes.low.y, b.high.y, b.low.y, boxes.high.y),
-                            outside(boxes.low.z, b.high.z, b.low.z, boxes.high.z)});
+        return SquaredNorm(Vector3<Float4>{outside(boxes.low.x, b.high.x, b.low.x, boxes.high.x),
+                                           outside(boxes.low.y, b.high.y, b.low.y, boxes.high.y),
+                                           outside(boxes.low.z, b.high.z, b.low.z, boxes.high.z)});
     }
     /// Of all vectors in each box, the least dot product with \p direction.
     Float4 LeastDots(const Vector3<float>& direction) const
