@@ -126,10 +126,9 @@ class PipelineRun
     std::vector<CrossingPair> Crossings(const DecimatedMesh& mesh, const CrossingKeeper& keeper)
     {
         if (mesh.triangles.empty()) return {};
+        BuildResultTree(mesh);
         std::vector<std::uint8_t> fixed;
-        const MeshView result = ViewOf(mesh, view_, fixed);
-        resultTree_.emplace(result, Tree()->frame(), threads_);
-        return keeper.Find(result, *resultTree_);
+        return keeper.Find(ViewOf(mesh, view_, fixed), *resultTree_);
     }
 
     /// \param keeper guards the collapse if it has a reason to; null: nobody does
@@ -163,14 +162,18 @@ class PipelineRun
         }
         if (mesh.wedges && mesh.wedges->channels.size() > 0)
             AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
-        std::vector<std::uint8_t> fixed;
-        const MeshView result = ViewOf(mesh, view_, fixed);
-        if (!resultTree_) resultTree_.emplace(result, Tree()->frame(), threads_);
-        report.distances = MeasureDistances(view_, *Tree(), result, *resultTree_, mesh.faceOrigin,
-                                            descriptor_, kDistanceSamples, threads_);
+        if (!resultTree_) BuildResultTree(mesh);
+        report.distances =
+            MeasureDistances(view_, *Tree(), mesh, *resultTree_, descriptor_, kDistanceSamples, threads_);
     }
 
   private:
+    void BuildResultTree(const DecimatedMesh& mesh)
+    {
+        std::vector<std::uint8_t> fixed;
+        resultTree_.emplace(ViewOf(mesh, view_, fixed), Tree()->frame(), threads_);
+    }
+
     DecimatedMesh CollapsedAndRefined(const CrossingKeeper* guard, const StageProgress& progress)
     {
         KeptForLater kept{stages_.refine, parameters_.measureError};

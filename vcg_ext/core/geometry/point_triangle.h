@@ -128,15 +128,6 @@ inline PreparedTriangle<float> PrepareTriangle(const Vector3<float>& b, const Ve
 {
     return PrepareTriangle(b.x, b.y, b.z, c.x, c.y, c.z);
 }
-/// One of four.
-inline PreparedTriangle<float> Lane(const PreparedTriangle<Float4>& t, int i)
-{
-    return {t.bx[i],         t.by[i],        t.bz[i],         t.cx[i],
-            t.cy[i],         t.cz[i],        t.nx[i],         t.ny[i],
-            t.nz[i],         t.bb[i],        t.bc[i],         t.cc[i],
-            t.inverseBB[i],  t.inverseCC[i], t.inverseFar[i], t.inverseDeterminant[i],
-            t.doubleArea[i], t.quality[i]};
-}
 inline Vector3<float> NormalOf(const PreparedTriangle<float>& t)
 {
     return {t.nx, t.ny, t.nz};

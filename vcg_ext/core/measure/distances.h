@@ -151,7 +151,7 @@ template <class PointAt>
 double Largest2(const ExactSurface& to, std::size_t count, const PointAt& point, double known2, int threads)
 {
     // A face comes near several points only where they are not much sparser than the faces.
-    const std::size_t most = count > to.FaceCount() ? GroupSearch::kMost : 1;
+    const std::size_t most = 2 * count > to.FaceCount() ? GroupSearch::kMost : 1;
     std::vector<double> parts((count + kGrain - 1) / kGrain, known2);
     ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
         double& largest2 = parts[begin / kGrain];
@@ -205,6 +205,27 @@ inline std::vector<std::uint32_t> ReferencedVertices(const MeshView& view, const
     return vertices;
 }
 
+/// Takes the vertices out of both lists, of those on faces, that are still where they were: their distance is
+/// 0, both ways.
+inline void DropUnmoved(const MeshView& original, const DecimatedMesh& simplified,
+                        std::vector<std::uint32_t>& vertices, std::vector<std::uint32_t>& resultVertices)
+{
+    if (simplified.vertexOrigin.empty()) return;
+    enum : std::uint8_t { kOnFace = 1, kUnmoved = 2 };
+    std::vector<std::uint8_t> state(original.vertexCount, 0);
+    for (const std::uint32_t v : vertices) state[v] = kOnFace;
+    const auto isUnmoved = [&](std::uint32_t v) {
+        const std::uint32_t origin = simplified.vertexOrigin[v];
+        if (state[origin] == 0 || simplified.positions[v] != original.Position(origin)) return false;
+        state[origin] |= kUnmoved;
+        return true;
+    };
+    resultVertices.erase(std::remove_if(resultVertices.begin(), resultVertices.end(), isUnmoved),
+                         resultVertices.end());
+    const auto wasUnmoved = [&](std::uint32_t v) { return (state[v] & kUnmoved) != 0; };
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(), wasUnmoved), vertices.end());
+}
+
 /// The tenth of \p vertices with the largest value, in their order; ties by index.
 inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>& vertices,
                                                const std::vector<float>& value)
@@ -232,23 +253,26 @@ inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>&
 
 } // namespace distance_detail
 
-/// Measures both ways with \p samples points by area a side and every vertex of both.
-/// \param original with a face \param tree of its faces
-/// \param simplified with a face \param simplifiedTree of its faces, in the same frame
-/// \param descriptor one value a vertex of \p original, says where its features are \pre finite positions
+/// Measures both ways with every vertex of both and with points by area: so many that the standard error of
+/// the rms is at most kRmsError of it, at most \p samples a side. The feature rms is that of all the
+/// features, or of as many as give it the same standard error. \param original with a face \param tree of its
+/// faces \param simplified with a face \param simplifiedTree of its faces, in the same frame \param
+/// descriptor one value a vertex of \p original, says where its features are \pre finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
-                                       const MeshView& simplified, const FaceTree& simplifiedTree,
-                                       const std::vector<std::uint32_t>& origins,
+                                       const DecimatedMesh& simplified, const FaceTree& simplifiedTree,
                                        const std::vector<float>& descriptor, std::size_t samples, int threads)
 {
     using namespace distance_detail;
-    const float slack = RoundingOf(original, simplified, tree.frame());
-    const ExactSurface from(original, tree, slack), to(simplified, simplifiedTree, slack);
+    std::vector<std::uint8_t> fixed;
+    const MeshView result = ViewOf(simplified, original, fixed);
+    const float slack = RoundingOf(original, result, tree.frame());
+    const ExactSurface from(original, tree, slack), to(result, simplifiedTree, slack);
 
     const SurfaceSamples fromSamples(from, samples, threads), toSamples(to, samples, threads);
-    const auto vertices = ReferencedVertices(original, tree);
-    const auto resultVertices = ReferencedVertices(simplified, simplifiedTree);
+    auto vertices = ReferencedVertices(original, tree),
+         resultVertices = ReferencedVertices(result, simplifiedTree);
     const auto features = LargestTenth(vertices, descriptor);
+    DropUnmoved(original, simplified, vertices, resultVertices);
     const auto vertexAt = [&](std::size_t i) { return from.Vertex(vertices[i]); };
     const auto featureAt = [&](std::size_t i) { return from.Vertex(features[i]); };
     const auto resultVertexAt = [&](std::size_t i) { return to.Vertex(resultVertices[i]); };
@@ -279,7 +303,7 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     report.hausdorff = percent * std::sqrt(largest2);
     report.rms = percent * std::sqrt((forward.MeanSquare() + backward.MeanSquare()) / 2);
     report.featureRms = percent * std::sqrt(feature.MeanSquare());
-    report.folded = CountFolded(from, to, origins, largest2, threads);
+    report.folded = CountFolded(from, to, simplified.faceOrigin, largest2, threads);
     return report;
 }
 
@@ -291,8 +315,7 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     std::vector<std::uint8_t> fixed;
     const MeshView result = ViewOf(simplified, original, fixed);
     const FaceTree resultTree(result, tree.frame(), threads);
-    return MeasureDistances(original, tree, result, resultTree, simplified.faceOrigin, descriptor, samples,
-                            threads);
+    return MeasureDistances(original, tree, simplified, resultTree, descriptor, samples, threads);
 }
 
 /// The same where there is no tree at all. \param threads 0: all

@@ -47,11 +47,6 @@ class ExactSurface
     const FaceTree& Tree() const { return tree_; }
     double Slack() const { return slack_; }
     std::size_t FaceCount() const { return view_.faceCount; }
-    std::array<std::uint32_t, 3> Triangle(std::size_t f) const
-    {
-        const std::uint32_t* v = view_.triangles + 3 * f;
-        return {v[0], v[1], v[2]};
-    }
     Vector3<double> Vertex(std::size_t v) const
     {
         const std::array<double, 3> p = view_.Position(v);

@@ -77,15 +77,13 @@ class GroupSearch
             if (open != 0) CloseBeside(recent.faces, recent.prepared, near2, open);
         for (std::size_t i = 0; open >> i != 0; ++i) {
             if ((open >> i & 1) == 0) continue;
-            surface_.Tree().ForEachFourNear(points_[i], FaceTree::AllNodes, near2,
-                                            [&](const FourTriangles& faces, const auto&) {
-                                                const PreparedTriangle<Float4> prepared = faces.Prepared();
-                                                const unsigned before = open;
-                                                CloseBeside(faces, prepared, near2, open);
-                                                if (open != before)
-                                                    recent_[next_++ % kRecent] = {faces, prepared};
-                                                return (open >> i & 1) != 0 ? near2 : -1.0F;
-                                            });
+            surface_.Tree().ForEachFourNear(points_[i], near2, [&](const FourTriangles& faces) {
+                const PreparedTriangle<Float4> prepared = faces.Prepared();
+                const unsigned before = open;
+                CloseBeside(faces, prepared, near2, open);
+                if (open != before) recent_[next_++ % kRecent] = {faces, prepared};
+                return (open >> i & 1) != 0 ? near2 : -1.0F;
+            });
         }
     }
     void CloseBeside(const FourTriangles& faces, const PreparedTriangle<Float4>& prepared, float near2,

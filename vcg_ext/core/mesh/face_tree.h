@@ -27,7 +27,7 @@ namespace vcg_ext
 
 /// The faces of a mesh in a tree of boxes, for questions about the closest of them and which way it faces.
 ///
-/// Faces are put in an order in which neighbours in space follow each other; eight of them are a leaf, four
+/// Faces are put in an order in which neighbours in space follow each other; four of them are a leaf, four
 /// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points
 /// and the box of its unit normals. Most leaves are never looked into, so they hold nothing of their own:
 /// their corners are gathered when one is. Queries may run on several threads.
@@ -84,9 +84,6 @@ class FaceTree
             levels_.push_back(std::move(above));
         }
     }
-
-    /// Where all nodes are wanted.
-    static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
 
     /// In which points and directions of the queries are.
     const Frame& frame() const { return frame_; }
@@ -292,13 +289,13 @@ class FaceTree
         return areas;
     }
 
-    /// Calls visit(faces, indices) for four faces at a time, near ones first, of every leaf whose box is not
-    /// farther than the root of what the last call returned, as long as wanted(nodes) has its ancestors.
-    /// \param from a point or a box \param limit2 for the first call
-    template <class From, class Wanted, class Visit>
-    void ForEachFourNear(const From& from, const Wanted& wanted, float limit2, const Visit& visit) const
+    /// Calls visit(faces) for four faces at a time, near ones first, of every leaf whose box is not farther
+    /// from \p point than the root of what the last call returned. \param limit2 for the first call
+    template <class Visit>
+    void ForEachFourNear(const Vector3<float>& point, float limit2, const Visit& visit) const
     {
-        Search(from, wanted, limit2, visit);
+        Search(point, AllNodes, limit2,
+               [&](const FourTriangles& faces, const FourIndices&) { return visit(faces); });
     }
 
     /// Squared distance to the surface.
@@ -447,11 +444,12 @@ class FaceTree
         sides.away2 = std::min(sides.away2, MinLane(Select(away, shared, Splat(kFar))));
     }
 
+    static Int4 AllNodes(const FourNodes&) { return Splat(-1); }
+
     /// Calls visit(faces), near ones first, for the faces of every leaf whose box is not farther than \p
     /// limit2, which the last call returned, as long as wanted(nodes) has its ancestors.
-    /// \param from a point or a box
-    template <class From, class Wanted, class Visit>
-    void Search(const From& from, const Wanted& wanted, float limit2, const Visit& visit) const
+    template <class Wanted, class Visit>
+    void Search(const Vector3<float>& point, const Wanted& wanted, float limit2, const Visit& visit) const
     {
         struct Entry {
             float distance2;
@@ -471,7 +469,7 @@ class FaceTree
                 continue;
             }
             const FourNodes& nodes = levels_[entry.level - 1][entry.node];
-            const Float4 distance2 = nodes.points.Distances2(from);
+            const Float4 distance2 = nodes.points.Distances2(point);
             const int visited = LaneBits((distance2 <= Splat(limit2)) & wanted(nodes));
             const std::size_t first = size;
             for (int lane = 0; lane < kLanes; ++lane) {

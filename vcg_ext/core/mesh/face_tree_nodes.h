@@ -43,32 +43,12 @@ struct FourBoxes {
         return SquaredNorm(
             Vector3<Float4>{outside(below.x, above.x), outside(below.y, above.y), outside(below.z, above.z)});
     }
-    /// Squared distances from the box \p b.
-    Float4 Distances2(const Box3<float>& b) const
-    {
-        const auto outside = [](Float4 low, float high, float lowOther, Float4 highOther) {
-            return Max(Max(low - Splat(high), Splat(lowOther) - highOther), Splat(0.0F));
-        };
-        return SquaredNorm(Vector3<Float4>{outside(boxes.low.x, b.high.x, b.low.x, boxes.high.x),
-                                           outside(boxes.low.y, b.high.y, b.low.y, boxes.high.y),
-                                           outside(boxes.low.z, b.high.z, b.low.z, boxes.high.z)});
-    }
     /// Of all vectors in each box, the least dot product with \p direction.
     Float4 LeastDots(const Vector3<float>& direction) const
     {
         const Vector3<float>& n = direction;
         return Min(n.x * boxes.low.x, n.x * boxes.high.x) + Min(n.y * boxes.low.y, n.y * boxes.high.y) +
                Min(n.z * boxes.low.z, n.z * boxes.high.z);
-    }
-    /// The least with any of \p directions.
-    Float4 LeastDots(const Box3<float>& directions) const
-    {
-        const auto least = [](Float4 low, Float4 high, float from, float to) {
-            return Min(Min(low * Splat(from), low * Splat(to)), Min(high * Splat(from), high * Splat(to)));
-        };
-        return least(boxes.low.x, boxes.high.x, directions.low.x, directions.high.x) +
-               least(boxes.low.y, boxes.high.y, directions.low.y, directions.high.y) +
-               least(boxes.low.z, boxes.high.z, directions.low.z, directions.high.z);
     }
     /// The greatest.
     Float4 GreatestDots(const Vector3<float>& direction) const { return -LeastDots(-1.0F * direction); }
