@@ -151,7 +151,7 @@ class TestDistances : public QObject
         QVERIFY(hausdorff(result) < 1e-10);
         auto without = result; // the faces around the first corner go, their vertices stay
         without.triangles.erase(without.triangles.begin(), without.triangles.begin() + 2);
-        const double corner = 100 / (4 * std::sqrt(2.0)) * std::sqrt(0.5); // half a diagonal of one square
+        const double corner = 100 / (4 * std::sqrt(2.0)); // the side of a square
         QVERIFY(std::abs(hausdorff(without) - corner) < 1e-6);
         auto moved = result;
         moved.positions[24][2] = 1;
