@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "vcg_ext/core/attributes/measure.h"
 #include "vcg_ext/core/attributes/transfer.h"
 #include "vcg_ext/core/base/compiled.h"
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/bound/bound_keeper.h"
@@ -137,10 +139,11 @@ class PipelineRun
         const CrossingKeeper* const guard = keeper && keeper->Guarded() ? keeper : nullptr;
         resultTree_.reset();
         DecimatedMesh mesh = CollapsedAndRefined(guard, progress);
+        progress(stages_.repairBegins, "Repairing folds");
         if (!stages_.bound && !built_) built_ = TreeOf(view_, mesh, faceOrder_, threads_);
         if (stages_.repairFolds && Tree())
             RepairMesh(view_, *Tree(), mesh, parameters_.boundary, stages_.bound, guard, threads_,
-                       progress.Part(stages_.repairBegins, 100));
+                       progress.Part(stages_.repairBegins, stages_.crossingsBegin));
         return mesh;
     }
 
@@ -154,8 +157,9 @@ class PipelineRun
     }
 
     /// Distances and what the values of corners are off, into \p report. \pre there is a tree
-    void Measure(const DecimatedMesh& mesh, DecimationReport& report)
+    void Measure(const DecimatedMesh& mesh, DecimationReport& report, const StageProgress& progress)
     {
+        progress(0, "Measuring distances");
         if (descriptor_.empty()) {
             const std::vector<double> values = LaplacianDescriptor(view_, threads_);
             descriptor_.assign(values.begin(), values.end());
@@ -163,8 +167,8 @@ class PipelineRun
         if (mesh.wedges && mesh.wedges->channels.size() > 0)
             AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
         if (!resultTree_) BuildResultTree(mesh);
-        report.distances =
-            MeasureDistances(view_, *Tree(), mesh, *resultTree_, descriptor_, kDistanceSamples, threads_);
+        report.distances = MeasureDistances(view_, *Tree(), mesh, *resultTree_, descriptor_, kDistanceSamples,
+                                            threads_, progress);
     }
 
   private:
@@ -193,7 +197,9 @@ inline DecimatedMesh RunWithoutCrossings(PipelineRun& run, CrossingKeeper& keepe
 {
     constexpr int kRuns = 4; // the last of them is guarded everywhere
     for (int i = 0;; ++i) {
-        DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : progress.Part(99, 100));
+        const int begins = run.Stages().crossingsBegin, ends = run.Stages().reportBegins;
+        DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : progress.Part(ends - 1, ends));
+        progress(i == 0 ? begins : ends, "Counting self-intersections");
         const std::vector<CrossingPair> crossings = run.Crossings(mesh, keeper);
         report.selfIntersections = crossings.size();
         const bool done = mesh.triangles.empty() || keeper.Allows(crossings.size(), *run.Tree());
@@ -226,7 +232,10 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     DecimationReport found, &report = result.report;
     result.mesh = run.Parameters().avoidSelfIntersections ? RunWithoutCrossings(run, keeper, found, progress)
                                                           : run.Run(nullptr, progress);
+    const StageProgress last = progress.Part(run.Stages().reportBegins, 100);
+    last(0, "Transferring attributes");
     run.TransferAttributes(result.mesh);
+    last(20, "Counting edges");
     report = CountsOf(view, result.mesh, targetFaces);
     report.selfIntersections = found.selfIntersections;
     report.selfIntersectionsBefore = found.selfIntersectionsBefore;
@@ -234,7 +243,7 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     if (run.Stages().bound) report.certifiedError = run.Stages().bound->CertifiedError();
     report.trace = std::move(run.trace);
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report);
+    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report, last.Part(30, 100));
     result.mesh.wedges.reset();
     return result;
 }
@@ -253,10 +262,12 @@ VCG_EXT_INLINE Simplification RunPipeline(const MeshView& view, const Decimation
                                           const PipelineStages& stages, const CollapseStage& collapse)
 {
     const int threads = ResolveThreads(parameters.threads);
+    RunProgress progress(parameters.progress);
+    const LoopPoll poll([&] { progress.Repeat(); });
     try {
         PipelineRun run(view, parameters, stages, collapse, threads);
         CrossingKeeper keeper(view, threads);
-        return ResultOf(run, keeper, parameters.targetFaces, StageProgress(parameters.progress));
+        return ResultOf(run, keeper, parameters.targetFaces, StageProgress(std::ref(progress)));
     } catch (const Cancelled&) {
         return CancelledRun(view);
     }

@@ -13,6 +13,7 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/measure/exact_surface.h"
 #include "vcg_ext/core/measure/group_search.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
@@ -260,9 +261,11 @@ inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>&
 /// descriptor one value a vertex of \p original, says where its features are \pre finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
                                        const DecimatedMesh& simplified, const FaceTree& simplifiedTree,
-                                       const std::vector<float>& descriptor, std::size_t samples, int threads)
+                                       const std::vector<float>& descriptor, std::size_t samples, int threads,
+                                       const StageProgress& progress = {})
 {
     using namespace distance_detail;
+    const auto reached = [&](int percent) { progress(percent, "Measuring distances"); };
     std::vector<std::uint8_t> fixed;
     const MeshView result = ViewOf(simplified, original, fixed);
     const float slack = RoundingOf(original, result, tree.frame());
@@ -277,6 +280,7 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     const auto featureAt = [&](std::size_t i) { return from.Vertex(features[i]); };
     const auto resultVertexAt = [&](std::size_t i) { return to.Vertex(resultVertices[i]); };
 
+    reached(15);
     OneWay forward, backward, feature;
     double largest2 = 0;
     for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
@@ -285,6 +289,7 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
         largest2 = std::max({largest2, forward.largest2, backward.largest2});
         if (batch == 0) { // far fewer vertices are farther than some points
             largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
+            reached(50);
             largest2 = Largest2(from, resultVertices.size(), resultVertexAt, largest2, threads);
         }
         const double error2 = forward.StandardError2() + backward.StandardError2();
@@ -292,11 +297,13 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
                       std::min(forward.count, backward.count)))
             break;
     }
+    reached(75);
     for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
         MeasureBatch(to, batch, features.size(), featureAt, threads, feature);
         if (IsPrecise(feature.MeanSquare(), feature.StandardError2(), largest2, feature.count)) break;
     }
 
+    reached(85);
     // The frame may be the simplified mesh's; percents are of the original's diagonal.
     const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / tree.frame().scale);
     DistanceReport report;
