@@ -35,9 +35,9 @@ struct PipelineStages {
                            ///< attributes
     bool repairFolds = true;
     int collapseEnds = 42; ///< of the refinement there is none where it is equal to repairBegins
-    int repairBegins = 78;
-    int crossingsBegin = 84;
-    int reportBegins = 89; ///< attributes, counts and distances
+    int repairBegins = 75;
+    int crossingsBegin = 79;
+    int reportBegins = 83; ///< attributes, counts and distances
     BoundKeeper* bound = nullptr; ///< what the stages have to keep; null: no bound
     bool guardsCrossings = false; ///< the collapse can be run again, guarded where faces cross
 };
