@@ -93,7 +93,8 @@ class TestSimplify : public QObject
         // one measures in the frame of the result, the other in that of the original: rounding
         const auto near = [](double a, double b) { return std::fabs(a - b) < 1e-9 * b; };
         QVERIFY(near(report.distances->hausdorff, measured.hausdorff));
-        QVERIFY(near(report.distances->rms, measured.rms));
+        // and their samples come in the order of different trees: three standard errors of either
+        QVERIFY(std::fabs(report.distances->rms / measured.rms - 1) < 3 * 0.01 * std::sqrt(2.0));
         // the engine's descriptor has rounded otherwise, so a few vertices at the rank of a tenth may differ
         QVERIFY(std::fabs(report.distances->featureRms / measured.featureRms - 1) < 0.02);
         QCOMPARE(report.distances->folded, measured.folded);
