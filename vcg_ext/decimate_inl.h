@@ -31,7 +31,7 @@ VCG_EXT_INLINE Simplification Decimate(const MeshView& view, const DecimationPar
                                     " needs order sweeps");
     PipelineStages stages = StagesOf(parameters.effort);
     stages.guardsCrossings = true;
-    stages.collapseEnds = stages.refine ? 76 : stages.repairBegins;
+    stages.collapseEnds = stages.refine ? 64 : stages.repairBegins;
     const auto collapse = [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {
         return CollapseInOrder(mesh, parameters, kept, progress);
     };

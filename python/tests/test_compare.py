@@ -86,8 +86,9 @@ def test_numbers_are_those_that_simplify_reports() -> None:
     vertices, faces = wave()
     small = ls.simplify(vertices, faces, target_percent=10)
     report = ls.compare((vertices, faces), small)
-    for name in ("hausdorff", "rms", "feature_rms"):  # in another order of the sums
-        assert getattr(report, name) == pytest.approx(getattr(small.report, name), rel=1e-9), name
+    # All features, in another order of the sums; the others by other samples: three standard errors of 1 %.
+    for name, error in (("hausdorff", 0.03), ("rms", 0.03), ("feature_rms", 1e-9)):
+        assert getattr(report, name) == pytest.approx(getattr(small.report, name), rel=error), name
 
 
 def test_every_kind_of_mesh_is_accepted(tmp_path: Path) -> None:

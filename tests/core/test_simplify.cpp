@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <map>
+#include <set>
 #include <vector>
 
 #include "analytic_meshes.h"
@@ -91,7 +93,8 @@ class TestSimplify : public QObject
         // one measures in the frame of the result, the other in that of the original: rounding
         const auto near = [](double a, double b) { return std::fabs(a - b) < 1e-9 * b; };
         QVERIFY(near(report.distances->hausdorff, measured.hausdorff));
-        QVERIFY(near(report.distances->rms, measured.rms));
+        // and their samples come in the order of different trees: three standard errors of either
+        QVERIFY(std::fabs(report.distances->rms / measured.rms - 1) < 3 * 0.01 * std::sqrt(2.0));
         // the engine's descriptor has rounded otherwise, so a few vertices at the rank of a tenth may differ
         QVERIFY(std::fabs(report.distances->featureRms / measured.featureRms - 1) < 0.02);
         QCOMPARE(report.distances->folded, measured.folded);
@@ -151,6 +154,48 @@ class TestSimplify : public QObject
         QVERIFY(std::is_sorted(percents.begin(), percents.end()));
         QVERIFY(percents.front() >= 0 && percents.back() <= 100);
         QVERIFY(percents.back() > 50); // the refinement's part
+    }
+
+    void everyStageReports_data()
+    {
+        QTest::addColumn<int>("effort");
+        QTest::newRow("fast") << static_cast<int>(Effort::Fast);
+        QTest::newRow("balanced") << static_cast<int>(Effort::Balanced);
+    }
+    /// Questions come after equal pieces of work: their number at a percentage is the work it stands for. No
+    /// percentage stands for a third of the run, none of the stages is left out, and the last ones are not
+    /// crowded behind 95.
+    void everyStageReports()
+    {
+        QFETCH(int, effort);
+        const IndexedMesh mesh = test_meshes::Noisy(test_meshes::Torus(300, 150), 0.002);
+        auto parameters = Target(mesh.triangles.size() / 10);
+        parameters.effort = static_cast<Effort>(effort);
+        std::map<int, int> questions;
+        std::set<std::string> stages;
+        int all = 0, last = 0;
+        bool rises = true;
+        parameters.progress = [&](int percent, const char* stage) {
+            rises = rises && percent >= last && percent <= 100;
+            last = percent;
+            stages.insert(stage);
+            ++questions[percent];
+            ++all;
+            return true;
+        };
+        Simplify(View(mesh), parameters);
+        QVERIFY(rises);
+        for (const char* stage :
+             {"Reading the mesh", "Computing the descriptor", "Collapsing edges", "Repairing folds",
+              "Counting self-intersections", "Counting edges", "Measuring distances"})
+            QVERIFY2(stages.count(stage) == 1, stage);
+        QVERIFY(all > 100);
+        int late = 0;
+        for (const auto& [percent, count] : questions) {
+            QVERIFY2(3 * count < all, qPrintable(QString("%1 %: %2 of %3").arg(percent).arg(count).arg(all)));
+            if (percent >= 95) late += count;
+        }
+        QVERIFY(10 * late < all);
     }
 
     /// Wherever the answer is no, it is the last question, and nothing half-done comes back.

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/compiled.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/collapse/collapsed_surface.h"
 #include "vcg_ext/core/collapse/engine.h"
@@ -86,7 +88,9 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
 {
     const int threads = ResolveThreads(parameters.threads);
     const PipelineStages stages = StagesOfSweeps(parameters.effort);
-    const StageProgress progress(parameters.progress);
+    RunProgress caller(parameters.progress);
+    const StageProgress progress{std::ref(caller)};
+    const LoopPoll poll([&] { caller.Repeat(); });
     const std::vector<int> ends = EndsOf(levels, view.faceCount, stages.refine);
     std::vector<Simplification> results;
     results.reserve(levels.size());

@@ -34,8 +34,10 @@ struct PipelineStages {
     bool exchange = false; ///< RefinementParameters::exchange; more passes of moves under a bound or with
                            ///< attributes
     bool repairFolds = true;
-    int collapseEnds = 52; ///< of the refinement there is none where it is equal to repairBegins
-    int repairBegins = 95;
+    int collapseEnds = 42; ///< of the refinement there is none where it is equal to repairBegins
+    int repairBegins = 75;
+    int crossingsBegin = 79;
+    int reportBegins = 83; ///< attributes, counts and distances
     BoundKeeper* bound = nullptr; ///< what the stages have to keep; null: no bound
     bool guardsCrossings = false; ///< the collapse can be run again, guarded where faces cross
 };

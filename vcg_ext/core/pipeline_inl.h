@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "vcg_ext/core/attributes/measure.h"
 #include "vcg_ext/core/attributes/transfer.h"
 #include "vcg_ext/core/base/compiled.h"
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/bound/bound_keeper.h"
@@ -26,6 +28,7 @@
 #include "vcg_ext/core/measure/report.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/mesh/face_tree.h"
+#include "vcg_ext/core/mesh/find_crossings.h"
 #include "vcg_ext/core/mesh/surface.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/pipeline.h"
@@ -37,7 +40,7 @@
 namespace vcg_ext
 {
 
-constexpr std::size_t kDistanceSamples = 100000; ///< a side, beside all vertices
+constexpr std::size_t kDistanceSamples = 100000; ///< at most, a side, beside all vertices
 
 /// The surface as the caller will have it.
 inline DecimatedMesh ResultOf(const MeshView& view, const CollapsedSurface& surface)
@@ -98,6 +101,7 @@ class PipelineRun
     const CollapseStage& collapse_;
     int threads_;
     std::optional<FaceTree> built_;
+    std::optional<FaceTree> resultTree_; ///< of the faces of the last result
     std::vector<std::uint32_t> faceOrder_;
     std::vector<float> descriptor_; ///< of the input's vertices; may be empty
 
@@ -120,15 +124,27 @@ class PipelineRun
         return stages_.bound ? stages_.bound->task.tree.get() : built_ ? &*built_ : nullptr;
     }
 
+    /// Pairs of faces of a result that cross; none where no face is left. Keeps its tree for the measurement.
+    /// \pre nothing moves the faces of the mesh in memory until it is measured
+    std::vector<CrossingPair> Crossings(const DecimatedMesh& mesh, const CrossingKeeper& keeper)
+    {
+        if (mesh.triangles.empty()) return {};
+        BuildResultTree(mesh);
+        std::vector<std::uint8_t> fixed;
+        return keeper.Find(ViewOf(mesh, view_, fixed), *resultTree_);
+    }
+
     /// \param keeper guards the collapse if it has a reason to; null: nobody does
     DecimatedMesh Run(const CrossingKeeper* keeper, const StageProgress& progress)
     {
         const CrossingKeeper* const guard = keeper && keeper->Guarded() ? keeper : nullptr;
+        resultTree_.reset();
         DecimatedMesh mesh = CollapsedAndRefined(guard, progress);
+        progress(stages_.repairBegins, "Repairing folds");
         if (!stages_.bound && !built_) built_ = TreeOf(view_, mesh, faceOrder_, threads_);
         if (stages_.repairFolds && Tree())
             RepairMesh(view_, *Tree(), mesh, parameters_.boundary, stages_.bound, guard, threads_,
-                       progress.Part(stages_.repairBegins, 100));
+                       progress.Part(stages_.repairBegins, stages_.crossingsBegin));
         return mesh;
     }
 
@@ -155,18 +171,27 @@ class PipelineRun
     }
 
     /// Distances and what the values of corners are off, into \p report. \pre there is a tree
-    void Measure(const DecimatedMesh& mesh, DecimationReport& report)
+    void Measure(const DecimatedMesh& mesh, DecimationReport& report, const StageProgress& progress)
     {
+        progress(0, "Measuring distances");
         if (descriptor_.empty()) {
             const std::vector<double> values = LaplacianDescriptor(view_, threads_);
             descriptor_.assign(values.begin(), values.end());
         }
         if (mesh.wedges && mesh.wedges->channels.size() > 0)
             AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
-        report.distances = MeasureDistances(view_, *Tree(), mesh, descriptor_, kDistanceSamples, threads_);
+        if (!resultTree_) BuildResultTree(mesh);
+        report.distances = MeasureDistances(view_, *Tree(), mesh, *resultTree_, descriptor_, kDistanceSamples,
+                                            threads_, progress);
     }
 
   private:
+    void BuildResultTree(const DecimatedMesh& mesh)
+    {
+        std::vector<std::uint8_t> fixed;
+        resultTree_.emplace(ViewOf(mesh, view_, fixed), Tree()->frame(), threads_);
+    }
+
     DecimatedMesh CollapsedAndRefined(const CrossingKeeper* guard, const StageProgress& progress)
     {
         KeptForLater kept{stages_.refine, parameters_.measureError};
@@ -183,14 +208,14 @@ class PipelineRun
 /// Repairs faces of \p mesh that cross until no more do than before; those of the original are counted only
 /// where that is not known without. \param crossings of \p mesh; afterwards those that are left
 /// \return whether that was done
-inline bool MendCrossings(const PipelineRun& run, CrossingKeeper& keeper, DecimatedMesh& mesh,
+inline bool MendCrossings(PipelineRun& run, CrossingKeeper& keeper, DecimatedMesh& mesh,
                           std::vector<CrossingPair>& crossings, const StageProgress& progress)
 {
     if (crossings.empty()) return true;
     const FaceTree& tree = *run.Tree();
     const auto repair = [&](std::size_t allowed) {
         run.RepairCrossingsOf(mesh, crossings, allowed, progress);
-        crossings = keeper.Find(mesh);
+        crossings = run.Crossings(mesh, keeper);
     };
     if (!keeper.Before() && AreFewCrossings(crossings.size(), mesh.triangles.size()) &&
         !keeper.OriginalCrossesNear(crossings, mesh, tree)) {
@@ -209,9 +234,11 @@ inline DecimatedMesh RunWithoutCrossings(PipelineRun& run, CrossingKeeper& keepe
 {
     constexpr int kRuns = 4; // the last of them is guarded everywhere
     for (int i = 0;; ++i) {
-        const StageProgress last = progress.Part(99, 100);
+        const int begins = run.Stages().crossingsBegin, ends = run.Stages().reportBegins;
+        const StageProgress last = progress.Part(ends - 1, ends);
         DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : last);
-        std::vector<CrossingPair> crossings = keeper.Find(mesh);
+        progress(i == 0 ? begins : ends, "Counting self-intersections");
+        std::vector<CrossingPair> crossings = run.Crossings(mesh, keeper);
         const bool done = MendCrossings(run, keeper, mesh, crossings, last);
         report.selfIntersections = crossings.size();
         report.selfIntersectionsBefore = keeper.Before();
@@ -243,7 +270,10 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     DecimationReport found, &report = result.report;
     result.mesh = run.Parameters().avoidSelfIntersections ? RunWithoutCrossings(run, keeper, found, progress)
                                                           : run.Run(nullptr, progress);
+    const StageProgress last = progress.Part(run.Stages().reportBegins, 100);
+    last(0, "Transferring attributes");
     run.TransferAttributes(result.mesh);
+    last(20, "Counting edges");
     report = CountsOf(view, result.mesh, targetFaces);
     report.selfIntersections = found.selfIntersections;
     report.selfIntersectionsBefore = found.selfIntersectionsBefore;
@@ -251,7 +281,7 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     if (run.Stages().bound) report.certifiedError = run.Stages().bound->CertifiedError();
     report.trace = std::move(run.trace);
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report);
+    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report, last.Part(30, 100));
     result.mesh.wedges.reset();
     return result;
 }
@@ -270,10 +300,12 @@ VCG_EXT_INLINE Simplification RunPipeline(const MeshView& view, const Decimation
                                           const PipelineStages& stages, const CollapseStage& collapse)
 {
     const int threads = ResolveThreads(parameters.threads);
+    RunProgress progress(parameters.progress);
+    const LoopPoll poll([&] { progress.Repeat(); });
     try {
         PipelineRun run(view, parameters, stages, collapse, threads);
         CrossingKeeper keeper(view, threads);
-        return ResultOf(run, keeper, parameters.targetFaces, StageProgress(parameters.progress));
+        return ResultOf(run, keeper, parameters.targetFaces, StageProgress(std::ref(progress)));
     } catch (const Cancelled&) {
         return CancelledRun(view);
     }

@@ -15,7 +15,7 @@ _DESCRIPTION = (
     "exact; --samples says at how many points."
 )
 SAMPLES = 100_000
-"""Points a side beside the vertices: those that simplify takes, so that both reports have the same numbers."""
+"""Points a side beside the vertices: the most that simplify takes."""
 
 
 def add_compare_parser(subparsers: Any, **common: Any) -> argparse.ArgumentParser:

@@ -85,6 +85,96 @@ class TestDistances : public QObject
         QVERIFY(std::abs(Distances(whole, half).rms - rms) < 0.02 * rms);
     }
 
+    /// A sheet of 40,000 faces that one end of is lifted: the distance rises from 0 to the lift at an even
+    /// rate, both ways, so that the mean square is a third of its square (times a cosine of 1 - 2e-6).
+    void rmsIsWithinThreeStandardErrorsOfTheTruth()
+    {
+        constexpr int kSide = 141;
+        constexpr double kLift = 0.2;
+        const auto plane = test_meshes::Grid(kSide, kSide);
+        auto lifted = plane;
+        for (auto& p : lifted.points) p[2] += kLift * p[0] / kSide;
+        const auto report = MeasureDistances(test_meshes::View(plane), AsResult(lifted),
+                                             std::vector<float>(plane.points.size(), 0), 100000, 1);
+        const double percent = 100 / (kSide * std::sqrt(2.0)), rms = percent * kLift / std::sqrt(3.0);
+        QVERIFY(std::abs(report.rms - rms) < 3 * 0.01 * rms);
+        // The largest is at vertices, which are all measured, however few samples are.
+        QVERIFY(std::abs(report.hausdorff - percent * kLift) < 1e-4 * percent * kLift);
+    }
+
+    /// A spike on six of 13,122 faces is the only distance. Samples that have hardly seen it do not end the
+    /// measurement: all of them come in, and the rms is that of twice as many.
+    void samplesGoOnWhereLittleOfTheSurfaceIsFar()
+    {
+        constexpr int kSide = 81;
+        const auto plane = test_meshes::Grid(kSide, kSide);
+        auto spiked = plane;
+        constexpr std::size_t kMiddle = 40 * (kSide + 1) + 40;
+        spiked.points[kMiddle][2] += 2;
+        const std::vector<float> descriptor(plane.points.size(), 0);
+        const auto few = MeasureDistances(test_meshes::View(plane), AsResult(spiked), descriptor, 6000, 1);
+        const auto many = MeasureDistances(test_meshes::View(plane), AsResult(spiked), descriptor, 100000, 1);
+        const auto most = MeasureDistances(test_meshes::View(plane), AsResult(spiked), descriptor, 200000, 1);
+        QVERIFY(std::abs(many.rms - most.rms) < 0.2 * most.rms);
+        QVERIFY(many.rms > 0 && few.hausdorff == most.hausdorff);
+    }
+
+    void everyVertexCounts_data()
+    {
+        QTest::addColumn<int>("vertex");
+        for (const int v : {0, 9999, 20163}) QTest::addRow("%d", v) << v;
+    }
+    /// Each of 20,164 vertices can be the farthest, whichever group it is in and whatever is near it.
+    void everyVertexCounts()
+    {
+        QFETCH(int, vertex);
+        const auto plane = test_meshes::Grid(141, 141);
+        auto spiked = test_meshes::Noisy(plane, 0.01);
+        spiked.points[static_cast<std::size_t>(vertex)][2] = 1;
+        const double percent = 100 / (141 * std::sqrt(2.0));
+        QVERIFY(Distances(plane, spiked).hausdorff >= 0.9999 * percent);
+        const double back = Distances(spiked, plane).hausdorff;
+        QVERIFY(back > 0.99 * percent && back < 1.01 * percent); // of a diagonal of almost the same length
+    }
+
+    /// A vertex that is left where it was is taken for a distance of 0, but only if the other surface still
+    /// has it on a face.
+    void unmovedVerticesHaveNoDistance()
+    {
+        const auto plane = test_meshes::Grid(4, 4);
+        auto result = AsResult(plane);
+        for (std::uint32_t v = 0; v < plane.points.size(); ++v) result.vertexOrigin.push_back(v);
+        const auto hausdorff = [&](const DecimatedMesh& mesh) {
+            return MeasureDistances(test_meshes::View(plane), mesh, std::vector<float>(25, 0), kSamples, 1)
+                .hausdorff;
+        };
+        QVERIFY(hausdorff(result) < 1e-10);
+        auto without = result; // the faces around the first corner go, their vertices stay
+        without.triangles.erase(without.triangles.begin(), without.triangles.begin() + 2);
+        const double corner = 100 / (4 * std::sqrt(2.0)); // the side of a square
+        QVERIFY(std::abs(hausdorff(without) - corner) < 1e-6);
+        auto moved = result;
+        moved.positions[24][2] = 1;
+        QVERIFY(hausdorff(moved) > 10);
+    }
+
+    /// Over needles single precision sees heights that are rounding: no vertex may pass for near by them.
+    void verticesOverNeedlesAreMeasured()
+    {
+        test_meshes::IndexedMesh needles, above;
+        constexpr int kNeedles = 64;
+        for (int i = 0; i <= kNeedles; ++i) {
+            needles.points.push_back({0, 1e-6 * i, 0});
+            needles.points.push_back({1, 1e-6 * i, 1e-7 * (i % 3)});
+        }
+        for (std::size_t i = 0; i < kNeedles; ++i)
+            needles.AddQuad(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2, false);
+        above = needles;
+        for (auto& p : above.points) p[1] += 1e-3; // beside them, in their plane
+        const DistanceReport report = Distances(needles, above);
+        QVERIFY(report.hausdorff > 100 * 0.99e-3 && report.hausdorff < 100 * 1.01e-3);
+    }
+
     void featuresAreTheTenthWithTheLargestDescriptor()
     {
         const auto plane = test_meshes::Grid(9, 9); // 100 vertices

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <vector>
 
+#include "vcg_ext/core/base/loop_poll.h"
+
 #ifdef _OPENMP
 #include <omp.h>
 #else
@@ -95,14 +97,18 @@ inline int UsefulThreadCount(int requested, std::size_t faces)
 }
 
 /// Calls body(item, thread) once for every item in [0, items), on \p threads threads, the next free thread
-/// taking the next item. Returns when all are done; the first exception of a body is thrown on.
-/// \pre bodies of different items share no data that one of them writes, so the outcome cannot depend on
+/// taking the next item. Returns when all are done; the first exception of a body is thrown on, and no more
+/// items are begun then. Asks LoopPoll between items. \pre bodies of different items share no data that one
+/// of them writes, so the outcome cannot depend on
 ///      the number of threads
 template <class Body>
 void ParallelFor(int threads, std::size_t items, const Body& body)
 {
     if (threads <= 1 || items <= 1) {
-        for (std::size_t item = 0; item < items; ++item) body(item, 0);
+        for (std::size_t item = 0; item < items; ++item) {
+            body(item, 0);
+            LoopPoll::PartDone();
+        }
         return;
     }
     std::atomic<std::size_t> next{0};
@@ -114,7 +120,9 @@ void ParallelFor(int threads, std::size_t items, const Body& body)
         for (std::size_t item; (item = next.fetch_add(1, std::memory_order_relaxed)) < items;) {
             try {
                 body(item, thread);
+                if (thread == 0) LoopPoll::PartDone(); // on the thread that called
             } catch (...) {
+                next.store(items, std::memory_order_relaxed);
                 const std::lock_guard<std::mutex> lock(failureMutex);
                 if (!failure) failure = std::current_exception();
             }

@@ -17,6 +17,31 @@ struct Cancelled : std::runtime_error {
     Cancelled() : std::runtime_error("canceled; the mesh is unchanged") {}
 };
 
+/// What a run tells its caller, who may be asked again at any time.
+class RunProgress
+{
+    Progress caller_; ///< may be empty
+    int percent_ = 0;
+    const char* stage_ = "Reading the mesh";
+
+  public:
+    explicit RunProgress(Progress caller) : caller_(std::move(caller)) {}
+    RunProgress(const RunProgress&) = delete;
+    RunProgress& operator=(const RunProgress&) = delete;
+
+    bool operator()(int percent, const char* stage)
+    {
+        percent_ = percent;
+        stage_ = stage;
+        return !caller_ || caller_(percent, stage);
+    }
+    /// Tells what it told last. \throws Cancelled where the caller asks to stop
+    void Repeat() const
+    {
+        if (caller_ && !caller_(percent_, stage_)) throw Cancelled();
+    }
+};
+
 /// The progress of one stage: its 0..100 are a part of the caller's.
 class StageProgress
 {

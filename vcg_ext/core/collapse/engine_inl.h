@@ -31,6 +31,9 @@
 namespace vcg_ext
 {
 
+/// Percent of a collapse's time, roughly, that go by before the first sweep.
+constexpr int kReadingEnds = 20;
+
 VCG_EXT_INLINE CollapseEngine::CollapseEngine(const MeshView& view, const DecimationParameters& parameters,
                                               KeptForLater kept, StageProgress progress)
     : threads_(ResolveThreads(parameters.threads)), progress_(std::move(progress)),
@@ -69,7 +72,9 @@ VCG_EXT_INLINE CollapsedSurface CollapseEngine::Extract() &&
 
 VCG_EXT_INLINE StopReason CollapseEngine::Collapse(std::size_t targetFaces)
 {
-    const auto report = [&](double way) { progress_(static_cast<int>(way * 100), "Collapsing edges"); };
+    const auto report = [&](double way) {
+        progress_(kReadingEnds + static_cast<int>(way * (100 - kReadingEnds)), "Collapsing edges");
+    };
     surface_.stopReason = schedule_.Run(targetFaces, report);
     surface_.trace = {schedule_.Steps(), static_cast<double>(state_.descriptorScale)};
     return surface_.stopReason;
@@ -85,7 +90,9 @@ VCG_EXT_INLINE SweepState& CollapseEngine::Start(const MeshView& view, const Dec
     state_.preserveTopology = parameters.preserveTopology;
     state_.sharedSeams = view.sharedSeams;
     state_.keepOriginal = kept.original;
+    progress_(0, "Reading the mesh");
     SweepLoader(view, state_, threads_).Load();
+    progress_(kReadingEnds / 2, "Computing the descriptor");
     if (view.attributes != nullptr) LoadWedges(view, parameters);
     SweepStarter(view, state_, threads_, parameters.boundary, parameters.descriptorScale).Start();
     for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;

@@ -36,7 +36,12 @@ class CrossingKeeper
         if (mesh.triangles.empty()) return {};
         std::vector<std::uint8_t> fixed;
         const MeshView view = ViewOf(mesh, original_, fixed);
-        return FindCrossings(view, FaceTree(view, FrameOf(view), threads_), threads_);
+        return Find(view, FaceTree(view, FrameOf(view), threads_));
+    }
+    /// The same of a mesh that has a tree of its faces.
+    std::vector<CrossingPair> Find(const MeshView& view, const FaceTree& tree) const
+    {
+        return FindCrossings(view, tree, threads_);
     }
 
     /// Are \p crossings no more than the original has? Those are counted where there are any.

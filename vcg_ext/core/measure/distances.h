@@ -7,12 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <functional>
 #include <numeric>
 #include <vector>
 
+#include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/measure/exact_surface.h"
+#include "vcg_ext/core/measure/group_search.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/face_tree.h"
@@ -34,151 +37,275 @@ struct DistanceReport {
 namespace distance_detail
 {
 
-/// One way of the comparison.
+/// Squared distances of some points, one way.
 struct OneWay {
-    double sumOfSquares = 0;
+    double sumOfSquares = 0, sumOfFourths = 0;
     double largest2 = 0;
     std::size_t count = 0;
 
     double MeanSquare() const { return count > 0 ? sumOfSquares / static_cast<double>(count) : 0; }
+    /// Of the mean square, squared; nothing is made of how evenly the points are spread, which lowers it.
+    double StandardError2() const
+    {
+        if (count == 0) return 0;
+        const double n = static_cast<double>(count), mean = MeanSquare();
+        return std::max(0.0, sumOfFourths / n - mean * mean) / n;
+    }
+    void Add(double distance2)
+    {
+        sumOfSquares += distance2;
+        sumOfFourths += distance2 * distance2;
+        largest2 = std::max(largest2, distance2);
+        ++count;
+    }
+    void Add(const OneWay& other)
+    {
+        sumOfSquares += other.sumOfSquares;
+        sumOfFourths += other.sumOfFourths;
+        largest2 = std::max(largest2, other.largest2);
+        count += other.count;
+    }
 };
+
+/// A root mean square is known well enough where its standard error is at most this part of it.
+constexpr double kRmsError = 0.01;
+/// Points that are measured whatever that says, so that it says something.
+constexpr std::size_t kLeastPoints = 6000;
+
+/// Is the root of \p meanSquare known well enough by \p points? \param error2 squared standard error of the
+/// mean square \param largest2 what may be found where none of the points is, which is about one of as many
+/// parts of the surface
+inline bool IsPrecise(double meanSquare, double error2, double largest2, std::size_t points)
+{
+    const double allowed = 2 * kRmsError * meanSquare; // the derivative of the root
+    return points >= kLeastPoints && error2 <= allowed * allowed &&
+           largest2 <= allowed * static_cast<double>(points);
+}
+
+/// Points are measured in batches until a mean is known well enough: every kBatches-th point is one, in an
+/// order in which those of the first few batches, too, are spread evenly.
+constexpr std::array<std::size_t, 16> kBatches{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
 
 constexpr std::size_t kGrain = 1024; ///< points that one thread measures at a time
 
-/// Points spread evenly by area: stratified along the faces, low-discrepancy inside them. Deterministic.
-inline std::vector<Vector3<double>> SamplePoints(const ExactSurface& surface, std::size_t count)
+/// Points spread evenly by area over a surface: stratified along the faces in the order of its tree,
+/// low-discrepancy inside them. Deterministic, and those that follow each other are near each other.
+class SurfaceSamples
 {
-    std::vector<double> upTo(surface.FaceCount());
-    double area = 0;
-    for (std::size_t f = 0; f < upTo.size(); ++f) upTo[f] = area += Norm(surface.AreaVector(f));
-    std::vector<Vector3<double>> points;
-    if (!(area > 0)) return points;
-    points.reserve(count);
-    std::size_t f = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double at = area * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-        while (f + 1 < upTo.size() && upTo[f] < at) ++f;
+    const ExactSurface& surface_;
+    std::vector<std::uint32_t> faces_; ///< of every sample
+
+  public:
+    double doubleArea = 0; ///< of the surface
+
+    /// \pre \p surface outlives this object
+    SurfaceSamples(const ExactSurface& surface, std::size_t count, int threads) : surface_(surface)
+    {
+        const Buffer<std::uint32_t>& order = surface.Tree().Order();
+        const Buffer<float> areas = surface.Tree().DoubleAreas(threads);
+        for (std::size_t i = 0; i < order.size(); ++i) doubleArea += static_cast<double>(areas[i]);
+        if (!(doubleArea > 0)) return;
+        faces_.reserve(count);
+        double upTo = static_cast<double>(areas[0]);
+        for (std::size_t i = 0, at = 0; i < count; ++i) {
+            const double wanted = doubleArea * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+            while (at + 1 < order.size() && upTo < wanted) upTo += static_cast<double>(areas[++at]);
+            faces_.push_back(order[at]);
+        }
+    }
+    std::size_t size() const { return faces_.size(); }
+    Vector3<double> operator()(std::size_t i) const
+    {
         const double n = static_cast<double>(i + 1);
-        double a = std::fmod(n * 0.7548776662466927, 1.0); // the two-dimensional golden ratio sequence
-        double b = std::fmod(n * 0.5698402909980532, 1.0);
+        double a = n * 0.7548776662466927, b = n * 0.5698402909980532; // the two-dimensional golden ratio
+        a -= std::floor(a);
+        b -= std::floor(b);
         if (a + b > 1) {
             a = 1 - a;
             b = 1 - b;
         }
-        points.push_back((1 - a - b) * surface.Corner(f, 0) + a * surface.Corner(f, 1) +
-                         b * surface.Corner(f, 2));
+        const std::size_t f = faces_[i];
+        return (1 - a - b) * surface_.Corner(f, 0) + a * surface_.Corner(f, 1) + b * surface_.Corner(f, 2);
     }
-    return points;
-}
+};
 
+/// Measures those of \p count points that belong to a batch, into \p all.
 template <class PointAt>
-OneWay Measure(const ExactSurface& to, std::size_t count, const PointAt& point, int threads)
+void MeasureBatch(const ExactSurface& to, std::size_t batch, std::size_t count, const PointAt& point,
+                  int threads, OneWay& all)
 {
-    std::vector<OneWay> parts((count + kGrain - 1) / kGrain);
-    ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
-        OneWay& part = parts[begin / kGrain];
+    const std::size_t first = kBatches[batch], step = kBatches.size();
+    const std::size_t points = count > first ? (count - first - 1) / step + 1 : 0;
+    std::vector<OneWay> parts((points + kGrain - 1) / kGrain);
+    ParallelRanges(threads, points, kGrain, [&](std::size_t begin, std::size_t end, int) {
+        OneWay part;
         ExactSurface::Search search;
-        for (std::size_t i = begin; i < end; ++i) {
-            const double distance2 = to.Distance2(point(i), search);
-            part.sumOfSquares += distance2;
-            part.largest2 = std::max(part.largest2, distance2);
-        }
+        for (std::size_t i = begin; i < end; ++i) part.Add(to.Distance2(point(first + i * step), search));
+        parts[begin / kGrain] = part;
     });
-    OneWay all;
-    all.count = count;
-    for (const OneWay& part : parts) { // in this order, whatever the threads
-        all.sumOfSquares += part.sumOfSquares;
-        all.largest2 = std::max(all.largest2, part.largest2);
-    }
-    return all;
+    for (const OneWay& part : parts) all.Add(part); // in this order, whatever the threads
 }
 
-/// The larger of \p known2 and the largest squared distance of \p count points.
+/// The larger of \p known2 and the largest squared distance of \p count points, those that follow each other
+/// near each other.
 template <class PointAt>
 double Largest2(const ExactSurface& to, std::size_t count, const PointAt& point, double known2, int threads)
 {
+    // A face comes near several points only where they are not much sparser than the faces.
+    const std::size_t most = 2 * count > to.FaceCount() ? GroupSearch::kMost : 1;
     std::vector<double> parts((count + kGrain - 1) / kGrain, known2);
     ParallelRanges(threads, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
         double& largest2 = parts[begin / kGrain];
-        ExactSurface::Search search;
-        for (std::size_t i = begin; i < end; ++i) largest2 = to.LargerDistance2(point(i), largest2, search);
+        GroupSearch search(to);
+        for (std::size_t first = begin; first < end; first += most) {
+            search.Take(std::min(end - first, most), [&](std::size_t i) { return point(first + i); });
+            largest2 = search.LargerDistance2(largest2);
+        }
     });
     for (const double part : parts) known2 = std::max(known2, part);
     return known2;
 }
 
+/// \param origins for each simplified face one of the original that may be near it; may be empty
+/// \param first of the faces in the order of the tree that are looked at, up to \p last
 /// \param near2 squared distance within which most centroids are
-inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified, double near2,
-                               int threads)
+inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified,
+                               const std::vector<std::uint32_t>& origins, std::size_t first, std::size_t last,
+                               double near2, int threads)
 {
-    std::vector<std::size_t> parts((simplified.FaceCount() + kGrain - 1) / kGrain);
-    ParallelRanges(threads, simplified.FaceCount(), kGrain, [&](std::size_t begin, std::size_t end, int) {
+    const Buffer<std::uint32_t>& order = simplified.Tree().Order();
+    std::vector<std::size_t> parts((last - first + kGrain - 1) / kGrain);
+    ParallelRanges(threads, last - first, kGrain, [&](std::size_t begin, std::size_t end, int) {
         ExactSurface::Search search;
-        for (std::size_t f = begin; f < end; ++f) {
+        for (std::size_t i = first + begin; i < first + end; ++i) {
+            const std::size_t f = order[i];
+            const Vector3<double> direction = simplified.AreaVector(f);
             const Vector3<double> centroid =
                 (1.0 / 3) * (simplified.Corner(f, 0) + simplified.Corner(f, 1) + simplified.Corner(f, 2));
-            original.LargerDistance2(centroid, near2, search); // so that the last face is a near one
-            if (original.FacesAwayFrom(centroid, simplified.AreaVector(f), search)) ++parts[begin / kGrain];
+            // A near face that faces along, to begin with: most often none that faces away is as near.
+            if (!origins.empty()) search.last = origins[f];
+            if (!search.last || Dot(original.AreaVector(*search.last), direction) <= 0)
+                original.LargerDistance2(centroid, near2, search);
+            if (original.FacesAwayFrom(centroid, direction, search)) ++parts[begin / kGrain];
         }
     });
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
 }
 
-/// The vertices on faces, in ascending order.
-inline std::vector<std::uint32_t> ReferencedVertices(const MeshView& view)
+/// The vertices on faces, those that are near each other in space near each other.
+inline std::vector<std::uint32_t> ReferencedVertices(const MeshView& view, const FaceTree& tree)
 {
     std::vector<bool> used(view.vertexCount);
-    for (std::size_t k = 0; k < 3 * view.faceCount; ++k) used[view.triangles[k]] = true;
     std::vector<std::uint32_t> vertices;
-    for (std::uint32_t v = 0; v < view.vertexCount; ++v)
-        if (used[v]) vertices.push_back(v);
+    vertices.reserve(view.vertexCount);
+    for (const std::uint32_t f : tree.Order())
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = view.triangles[3 * std::size_t{f} + k];
+            if (used[v]) continue;
+            used[v] = true;
+            vertices.push_back(v);
+        }
     return vertices;
 }
 
-/// The tenth of \p vertices with the largest value, in ascending order; ties by index.
-inline std::vector<std::uint32_t> LargestTenth(std::vector<std::uint32_t> vertices,
+/// Takes the vertices out of both lists, of those on faces, that are still where they were: their distance is
+/// 0, both ways.
+inline void DropUnmoved(const MeshView& original, const DecimatedMesh& simplified,
+                        std::vector<std::uint32_t>& vertices, std::vector<std::uint32_t>& resultVertices)
+{
+    if (simplified.vertexOrigin.empty()) return;
+    enum : std::uint8_t { kOnFace = 1, kUnmoved = 2 };
+    std::vector<std::uint8_t> state(original.vertexCount, 0);
+    for (const std::uint32_t v : vertices) state[v] = kOnFace;
+    const auto isUnmoved = [&](std::uint32_t v) {
+        const std::uint32_t origin = simplified.vertexOrigin[v];
+        if (state[origin] == 0 || simplified.positions[v] != original.Position(origin)) return false;
+        state[origin] |= kUnmoved;
+        return true;
+    };
+    resultVertices.erase(std::remove_if(resultVertices.begin(), resultVertices.end(), isUnmoved),
+                         resultVertices.end());
+    const auto wasUnmoved = [&](std::uint32_t v) { return (state[v] & kUnmoved) != 0; };
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(), wasUnmoved), vertices.end());
+}
+
+/// The tenth of \p vertices with the largest value, in their order; ties by index.
+inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>& vertices,
                                                const std::vector<float>& value)
 {
-    const auto tenth = static_cast<std::ptrdiff_t>((vertices.size() + 9) / 10);
-    std::nth_element(
-        vertices.begin(), vertices.begin() + (tenth > 0 ? tenth - 1 : 0), vertices.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return value[a] != value[b] ? value[a] > value[b] : a < b; });
-    vertices.resize(static_cast<std::size_t>(tenth));
-    std::sort(vertices.begin(), vertices.end());
-    return vertices;
+    if (vertices.empty()) return {};
+    const std::size_t count = (vertices.size() + 9) / 10;
+    std::vector<float> ranked(vertices.size());
+    std::transform(vertices.begin(), vertices.end(), ranked.begin(),
+                   [&](std::uint32_t v) { return value[v]; });
+    const auto last = ranked.begin() + static_cast<std::ptrdiff_t>(count - 1);
+    std::nth_element(ranked.begin(), last, ranked.end(), std::greater<>());
+    std::vector<std::uint32_t> tenth, tied;
+    for (const std::uint32_t v : vertices) {
+        if (value[v] == *last) tied.push_back(v);
+        if (value[v] >= *last) tenth.push_back(v);
+    }
+    const std::size_t surplus = tenth.size() - count; // of those that are tied, the largest indices
+    if (surplus == 0) return tenth;
+    const auto kept = tied.begin() + static_cast<std::ptrdiff_t>(tied.size() - surplus);
+    std::nth_element(tied.begin(), kept, tied.end());
+    const auto isSurplus = [&](std::uint32_t v) { return value[v] == *last && v >= *kept; };
+    tenth.erase(std::remove_if(tenth.begin(), tenth.end(), isSurplus), tenth.end());
+    return tenth;
 }
 
 } // namespace distance_detail
 
-/// Measures both ways with \p samples points by area a side and every vertex of both.
-/// \param original with a face \param tree of its faces
-/// \param simplified with a face \param descriptor one value a vertex of \p original, says where its features
-/// are \pre finite positions
+/// Measures both ways with every vertex of both and with points by area: so many that the standard error of
+/// the rms is at most kRmsError of it, at most \p samples a side. The feature rms is that of all the
+/// features, or of as many as give it the same standard error. \param original with a face \param tree of its
+/// faces \param simplified with a face \param simplifiedTree of its faces, in the same frame \param
+/// descriptor one value a vertex of \p original, says where its features are \pre finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
-                                       const DecimatedMesh& simplified, const std::vector<float>& descriptor,
-                                       std::size_t samples, int threads)
+                                       const DecimatedMesh& simplified, const FaceTree& simplifiedTree,
+                                       const std::vector<float>& descriptor, std::size_t samples, int threads,
+                                       const StageProgress& progress = {})
 {
     using namespace distance_detail;
+    const auto reached = [&](int percent) { progress(percent, "Measuring distances"); };
     std::vector<std::uint8_t> fixed;
     const MeshView result = ViewOf(simplified, original, fixed);
-    const FaceTree resultTree(result, tree.frame(), threads);
     const float slack = RoundingOf(original, result, tree.frame());
-    const ExactSurface from(original, tree, slack), to(result, resultTree, slack);
+    const ExactSurface from(original, tree, slack), to(result, simplifiedTree, slack);
 
-    const auto fromPoints = SamplePoints(from, samples), toPoints = SamplePoints(to, samples);
-    const auto vertices = ReferencedVertices(original);
+    const SurfaceSamples fromSamples(from, samples, threads), toSamples(to, samples, threads);
+    auto vertices = ReferencedVertices(original, tree),
+         resultVertices = ReferencedVertices(result, simplifiedTree);
     const auto features = LargestTenth(vertices, descriptor);
-    const auto forward = Measure(
-        to, fromPoints.size(), [&](std::size_t i) { return fromPoints[i]; }, threads);
-    const auto backward = Measure(
-        from, toPoints.size(), [&](std::size_t i) { return toPoints[i]; }, threads);
-    const auto feature = Measure(
-        to, features.size(), [&](std::size_t i) { return from.Vertex(features[i]); }, threads);
+    DropUnmoved(original, simplified, vertices, resultVertices);
     const auto vertexAt = [&](std::size_t i) { return from.Vertex(vertices[i]); };
-    const auto resultVertexAt = [&](std::size_t v) { return to.Vertex(v); };
-    double largest2 = std::max({forward.largest2, backward.largest2, feature.largest2});
-    largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
-    largest2 = Largest2(from, result.vertexCount, resultVertexAt, largest2, threads);
+    const auto featureAt = [&](std::size_t i) { return from.Vertex(features[i]); };
+    const auto resultVertexAt = [&](std::size_t i) { return to.Vertex(resultVertices[i]); };
+
+    reached(10);
+    OneWay forward, backward, feature;
+    double largest2 = 0;
+    for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
+        MeasureBatch(to, batch, fromSamples.size(), fromSamples, threads, forward);
+        MeasureBatch(from, batch, toSamples.size(), toSamples, threads, backward);
+        largest2 = std::max({largest2, forward.largest2, backward.largest2});
+        if (batch == 0) { // far fewer vertices are farther than some points
+            reached(25);
+            largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
+            reached(45);
+            largest2 = Largest2(from, resultVertices.size(), resultVertexAt, largest2, threads);
+            reached(55);
+        }
+        const double error2 = forward.StandardError2() + backward.StandardError2();
+        if (IsPrecise(forward.MeanSquare() + backward.MeanSquare(), error2, largest2,
+                      std::min(forward.count, backward.count)))
+            break;
+    }
+    reached(60);
+    for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
+        MeasureBatch(to, batch, features.size(), featureAt, threads, feature);
+        if (IsPrecise(feature.MeanSquare(), feature.StandardError2(), largest2, feature.count)) break;
+    }
 
     // The frame may be the simplified mesh's; percents are of the original's diagonal.
     const double percent = 100 / kFrameDiagonal * (FrameOf(original).scale / tree.frame().scale);
@@ -186,11 +313,28 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     report.hausdorff = percent * std::sqrt(largest2);
     report.rms = percent * std::sqrt((forward.MeanSquare() + backward.MeanSquare()) / 2);
     report.featureRms = percent * std::sqrt(feature.MeanSquare());
-    report.folded = CountFolded(from, to, largest2, threads);
+    constexpr std::size_t kParts = 4; // for the progress
+    for (std::size_t part = 0; part < kParts; ++part) {
+        reached(static_cast<int>(65 + 35 * part / kParts));
+        report.folded +=
+            CountFolded(from, to, simplified.faceOrigin, simplifiedTree.Order().size() * part / kParts,
+                        simplifiedTree.Order().size() * (part + 1) / kParts, largest2, threads);
+    }
     return report;
 }
 
-/// The same where there is no tree yet. \param threads 0: all
+/// The same for a result that has no tree yet.
+inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
+                                       const DecimatedMesh& simplified, const std::vector<float>& descriptor,
+                                       std::size_t samples, int threads)
+{
+    std::vector<std::uint8_t> fixed;
+    const MeshView result = ViewOf(simplified, original, fixed);
+    const FaceTree resultTree(result, tree.frame(), threads);
+    return MeasureDistances(original, tree, simplified, resultTree, descriptor, samples, threads);
+}
+
+/// The same where there is no tree at all. \param threads 0: all
 inline DistanceReport MeasureDistances(const MeshView& original, const DecimatedMesh& simplified,
                                        const std::vector<float>& descriptor, std::size_t samples = 100000,
                                        int threads = 0)

@@ -30,12 +30,13 @@ class ExactSurface
     const FaceTree& tree_;
     double slack_;
 
+  public:
+    /// To single precision.
     static Vector3<float> Rounded(const Vector3<double>& p)
     {
         return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
     }
 
-  public:
     /// \param tree of the view's faces \param slack RoundingOf the two meshes that are compared
     /// \pre all outlive this object; at least one face
     ExactSurface(const MeshView& view, const FaceTree& tree, float slack)
@@ -43,6 +44,8 @@ class ExactSurface
     {
     }
 
+    const FaceTree& Tree() const { return tree_; }
+    double Slack() const { return slack_; }
     std::size_t FaceCount() const { return view_.faceCount; }
     Vector3<double> Vertex(std::size_t v) const
     {
@@ -62,6 +65,13 @@ class ExactSurface
     {
         const Vector3<double> a = Corner(f, 0);
         return Cross(Corner(f, 1) - a, Corner(f, 2) - a);
+    }
+
+    /// Squared distance up to which a face may still be the closest, if one is at \p nearest2.
+    float Reach2(double nearest2) const
+    {
+        const double reach = std::sqrt(nearest2) + slack_;
+        return static_cast<float>(std::min<double>(reach * reach, std::numeric_limits<float>::max()));
     }
 
     /// What one thread needs for its queries. Queries that follow each other should be close to each other.
@@ -155,12 +165,6 @@ class ExactSurface
         if (!(distance2 < search.nearest2)) return;
         search.nearest2 = distance2;
         search.last = face;
-    }
-    /// Up to where a face may still be the closest, if one is at \p nearest2.
-    float Reach2(double nearest2) const
-    {
-        const double reach = std::sqrt(nearest2) + slack_;
-        return static_cast<float>(std::min<double>(reach * reach, std::numeric_limits<float>::max()));
     }
 };
 

@@ -27,7 +27,7 @@ namespace vcg_ext
 
 /// The faces of a mesh in a tree of boxes, for questions about the closest of them and which way it faces.
 ///
-/// Faces are put in an order in which neighbours in space follow each other; eight of them are a leaf, four
+/// Faces are put in an order in which neighbours in space follow each other; four of them are a leaf, four
 /// leaves a node, and so on: nothing is searched while the tree is built. A node knows the box of its points
 /// and the box of its unit normals. Most leaves are never looked into, so they hold nothing of their own:
 /// their corners are gathered when one is. Queries may run on several threads.
@@ -269,6 +269,35 @@ class FaceTree
         });
     }
 
+    /// The faces, those that are close in space close to each other.
+    const Buffer<std::uint32_t>& Order() const { return faces_; }
+
+    /// Twice the area of every face, in single precision, in this order.
+    Buffer<float> DoubleAreas(int threads) const
+    {
+        constexpr std::size_t kLeafGrain = kGrain / kFacesPerLeaf;
+        Buffer<float> areas(LeafCount() * kFacesPerLeaf);
+        ParallelRanges(threads, LeafCount(), kLeafGrain, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t leaf = begin; leaf < end; ++leaf) {
+                float* here = areas.begin() + leaf * kFacesPerLeaf;
+                ForEachFour(leaf, [&](const FourTriangles& faces, const FourIndices&) {
+                    StoreUnaligned(here, Norm(Cross(faces.b, faces.c)));
+                    here += kLanes;
+                });
+            }
+        });
+        return areas;
+    }
+
+    /// Calls visit(faces) for four faces at a time, near ones first, of every leaf whose box is not farther
+    /// from \p point than the root of what the last call returned. \param limit2 for the first call
+    template <class Visit>
+    void ForEachFourNear(const Vector3<float>& point, float limit2, const Visit& visit) const
+    {
+        Search(point, AllNodes, limit2,
+               [&](const FourTriangles& faces, const FourIndices&) { return visit(faces); });
+    }
+
     /// Squared distance to the surface.
     float Distance2(const Vector3<float>& point) const
     {
@@ -297,11 +326,8 @@ class FaceTree
     {
         LeafFaces all;
         ForEachFour(leaf, [&](const FourTriangles& faces, const FourIndices& indices) {
-            Box3<Float4> boxes = EmptyBox<Float4>();
-            for (const Vector3<Float4>& corner : {faces.a, faces.a + faces.b, faces.a + faces.c})
-                boxes.Add(corner);
             const std::size_t left = faces_.size() - leaf * kFacesPerLeaf - all.count;
-            all.boxes[all.fours] = {boxes};
+            all.boxes[all.fours] = {BoxesOf(faces)};
             std::copy(indices.begin(), indices.end(), all.faces.begin() + kLanes * all.fours++);
             all.count += std::min<std::size_t>(left, kLanes);
         });
@@ -428,11 +454,11 @@ class FaceTree
         struct Entry {
             float distance2;
             std::uint32_t node;
-            std::size_t level; ///< levels_[level - 1][node] has its children; 0: a leaf
+            std::uint32_t level; ///< levels_[level - 1][node] has its children; 0: a leaf
         };
         constexpr std::size_t kDeepest = 16; // 4^16 leaves
         std::array<Entry, 3 * kDeepest + 1> stack;
-        stack[0] = {0, 0, levels_.size()};
+        stack[0] = {0, 0, static_cast<std::uint32_t>(levels_.size())};
         for (std::size_t size = 1; size > 0;) {
             const Entry entry = stack[--size];
             if (!(entry.distance2 <= limit2)) continue;

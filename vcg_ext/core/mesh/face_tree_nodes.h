@@ -56,7 +56,7 @@ struct FourBoxes {
 
 /// The faces of a leaf of a FaceTree.
 struct LeafFaces {
-    static constexpr std::size_t kMost = 8;
+    static constexpr std::size_t kMost = 4;
     std::array<FourBoxes, kMost / kLanes> boxes;
     std::array<std::uint32_t, kMost> faces; ///< those behind the last repeat it
     std::size_t fours = 0, count = 0;
@@ -75,6 +75,15 @@ struct NodeBoxes {
 inline NodeBoxes BoxesOf(const FourNodes& nodes)
 {
     return {Around(nodes.points.boxes), Around(nodes.normals.boxes)};
+}
+
+/// The boxes of four faces.
+inline Box3<Float4> BoxesOf(const FourTriangles& faces)
+{
+    Box3<Float4> boxes{faces.a, faces.a};
+    boxes.Add(faces.a + faces.b);
+    boxes.Add(faces.a + faces.c);
+    return boxes;
 }
 
 /// Which of four faces are so thin that rounding of their corners turns their normals by more than a
