@@ -214,18 +214,16 @@ inline void DropUnmoved(const MeshView& original, const DecimatedMesh& simplifie
                         std::vector<std::uint32_t>& vertices, std::vector<std::uint32_t>& resultVertices)
 {
     if (simplified.vertexOrigin.empty()) return;
-    enum : std::uint8_t { kOnFace = 1, kUnmoved = 2 };
-    std::vector<std::uint8_t> state(original.vertexCount, 0);
-    for (const std::uint32_t v : vertices) state[v] = kOnFace;
+    std::vector<bool> unmoved(original.vertexCount);
     const auto isUnmoved = [&](std::uint32_t v) {
         const std::uint32_t origin = simplified.vertexOrigin[v];
-        if (state[origin] == 0 || simplified.positions[v] != original.Position(origin)) return false;
-        state[origin] |= kUnmoved;
+        if (simplified.positions[v] != original.Position(origin)) return false;
+        unmoved[origin] = true;
         return true;
     };
     resultVertices.erase(std::remove_if(resultVertices.begin(), resultVertices.end(), isUnmoved),
                          resultVertices.end());
-    const auto wasUnmoved = [&](std::uint32_t v) { return (state[v] & kUnmoved) != 0; };
+    const auto wasUnmoved = [&](std::uint32_t v) { return unmoved[v]; };
     vertices.erase(std::remove_if(vertices.begin(), vertices.end(), wasUnmoved), vertices.end());
 }
 
