@@ -214,18 +214,16 @@ inline void DropUnmoved(const MeshView& original, const DecimatedMesh& simplifie
                         std::vector<std::uint32_t>& vertices, std::vector<std::uint32_t>& resultVertices)
 {
     if (simplified.vertexOrigin.empty()) return;
-    enum : std::uint8_t { kOnFace = 1, kUnmoved = 2 };
-    std::vector<std::uint8_t> state(original.vertexCount, 0);
-    for (const std::uint32_t v : vertices) state[v] = kOnFace;
+    std::vector<bool> unmoved(original.vertexCount);
     const auto isUnmoved = [&](std::uint32_t v) {
         const std::uint32_t origin = simplified.vertexOrigin[v];
-        if (state[origin] == 0 || simplified.positions[v] != original.Position(origin)) return false;
-        state[origin] |= kUnmoved;
+        if (simplified.positions[v] != original.Position(origin)) return false;
+        unmoved[origin] = true;
         return true;
     };
     resultVertices.erase(std::remove_if(resultVertices.begin(), resultVertices.end(), isUnmoved),
                          resultVertices.end());
-    const auto wasUnmoved = [&](std::uint32_t v) { return (state[v] & kUnmoved) != 0; };
+    const auto wasUnmoved = [&](std::uint32_t v) { return unmoved[v]; };
     vertices.erase(std::remove_if(vertices.begin(), vertices.end(), wasUnmoved), vertices.end());
 }
 
@@ -256,11 +254,11 @@ inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>&
 
 } // namespace distance_detail
 
-/// Measures both ways with every vertex of both and with points by area: so many that the standard error of
-/// the rms is at most kRmsError of it, at most \p samples a side. The feature rms is that of all the
-/// features, or of as many as give it the same standard error. \param original with a face \param tree of its
-/// faces \param simplified with a face \param simplifiedTree of its faces, in the same frame \param
-/// descriptor one value a vertex of \p original, says where its features are \pre finite positions
+/// Measures both ways: the largest distance with every vertex of both and \p samples points by area a side,
+/// the rms with so many of these that its standard error is at most kRmsError of it. The feature rms is that
+/// of all the features, or of as many as give it the same standard error. \param original with a face \param
+/// tree of its faces \param simplified with a face \param simplifiedTree of its faces, in the same frame
+/// \param descriptor one value a vertex of \p original, says where its features are \pre finite positions
 inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree& tree,
                                        const DecimatedMesh& simplified, const FaceTree& simplifiedTree,
                                        const std::vector<float>& descriptor, std::size_t samples, int threads,
@@ -294,6 +292,10 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
             largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
             reached(45);
             largest2 = Largest2(from, resultVertices.size(), resultVertexAt, largest2, threads);
+            // The farthest point may lie inside a face: no sample is left out, though few are measured
+            // exactly.
+            largest2 = Largest2(to, fromSamples.size(), fromSamples, largest2, threads);
+            largest2 = Largest2(from, toSamples.size(), toSamples, largest2, threads);
             reached(55);
         }
         const double error2 = forward.StandardError2() + backward.StandardError2();
