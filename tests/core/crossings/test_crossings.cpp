@@ -149,6 +149,24 @@ class TestCrossings : public QObject
         }
     }
 
+    /// Then all of the original's faces need not be searched, and nothing is collapsed twice.
+    void aFewAreRepaired_data() { AddEfforts(); }
+    void aFewAreRepaired()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSheets();
+        // where the walls are about as far from each other as the error
+        DecimationParameters parameters = Percent(mesh, effort == Effort::Fast ? 6 : 5, effort);
+        const Simplification repaired = Simplify(View(mesh), parameters);
+        parameters.avoidSelfIntersections = false;
+        const Simplification plain = Simplify(View(mesh), parameters);
+        const std::size_t crossings = CrossingsOf(MeshOf(plain)).size();
+        QVERIFY2(crossings > 0 && crossings <= 20, qPrintable(QString::number(crossings)));
+        QVERIFY(repaired.report.selfIntersections == std::size_t{0});
+        QVERIFY(!repaired.report.selfIntersectionsBefore);
+        QVERIFY(repaired.mesh.vertexOrigin == plain.mesh.vertexOrigin); // of the same collapses
+    }
+
     void noMoreCrossThanBefore_data() { AddEfforts(); }
     void noMoreCrossThanBefore()
     {
