@@ -37,7 +37,7 @@ struct PipelineStages {
     int collapseEnds = 42; ///< of the refinement there is none where it is equal to repairBegins
     int repairBegins = 75;
     int crossingsBegin = 79;
-    int reportBegins = 83; ///< attributes, counts and distances
+    int reportBegins = 83;        ///< attributes, counts and distances
     BoundKeeper* bound = nullptr; ///< what the stages have to keep; null: no bound
     bool guardsCrossings = false; ///< the collapse can be run again, guarded where faces cross
 };
