@@ -18,6 +18,7 @@
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/repair/fold_faults.h"
 #include "vcg_ext/core/repair/local_repair.h"
+#include "vcg_ext/core/repair/repair_passes.h"
 #include "vcg_ext/core/repair/surface_to_repair.h"
 
 namespace vcg_ext
