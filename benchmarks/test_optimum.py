@@ -31,7 +31,7 @@ def test_a_thin_torus_is_nearly_a_cylinder_of_its_length():
     assert torus_unit_rms(0.01)(500) < torus_unit_rms(0.1)(500) < torus_unit_rms(0.4)(500)
 
 
-def test_meshes_are_closed_and_look_outwards():
+def test_meshes_are_closed_and_look_outward():
     for mesh in (sphere_mesh(2), sphere_mesh(3, (1, 0.7, 0.4))):
         assert _volume(mesh) > 0
         assert len(mesh.vertices) - len(mesh.faces) / 2 == 2

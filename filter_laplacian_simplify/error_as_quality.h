@@ -112,6 +112,8 @@ class VertexErrors
     }
 
   public:
+    VertexErrors(const VertexErrors&) = delete;
+    VertexErrors& operator=(const VertexErrors&) = delete;
     /// \pre a face; finite positions; \p original outlives this object and does not change meanwhile
     VertexErrors(const Mesh& original, int threads)
         : original_(original), arrays_(original), surface_(arrays_.View(), threads)

@@ -90,7 +90,8 @@ const std::vector<Result>& Results()
          "edges that they share; missing without \"avoid_self_intersections\", after a canceled run, and if there "
          "was nothing to decimate.", true},
         {"self_intersections_before", {kGuided, kWeighted}, Type::Integer, "pairs of faces",
-         "The same number of the original; it is counted only if faces of the result crossed.", true},
+         "The same number of the original; it is counted only if faces crossed that could not be repaired, or "
+         "the original has crossings there.", true},
         {"welded_vertices", {kGuided}, Type::Integer, "vertices",
          "Number of vertices that became one with another; missing without \"clean_input\", after a canceled run, "
          "and if there was nothing to decimate.", true},

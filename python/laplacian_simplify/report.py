@@ -133,7 +133,8 @@ class DecimationReport(Report):
     self_intersections: int | None = None
     """Pairs of faces that cross; None where they were not to be avoided."""
     self_intersections_before: int | None = None
-    """The same of the original; None where no faces of the result crossed: then they were not counted."""
+    """The same of the original; None where no faces crossed that could not be repaired: then
+    they were not counted."""
     welded_vertices: int | None = None
     """Vertices that became one with another; None where the input was taken as it is, as the next."""
     dropped_faces: int | None = None

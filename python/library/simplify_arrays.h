@@ -103,7 +103,7 @@ struct laplacian_simplify_result {
     std::uint64_t folded;
     std::int32_t has_self_intersections;        ///< 0: they were not to be avoided
     std::uint64_t self_intersections;           ///< pairs of faces that cross
-    std::int32_t has_self_intersections_before; ///< 0: none of the result did, so they were not counted
+    std::int32_t has_self_intersections_before; ///< 0: they were not counted, as no more of the result cross
     std::uint64_t self_intersections_before;
     std::int32_t has_cleaning; ///< 0: the input was taken as it is
     std::uint64_t welded_vertices;

@@ -14,8 +14,8 @@ picture_packages=(libegl1)
 test_packages=(git ccache clang-14 clang-format-14 libomp-14-dev shellcheck locales xvfb xauth openbox
     xdotool imagemagick libegl1 chromium)
 # shellcheck disable=SC2034 # not every script fuzzes
-# The sanitizers and libFuzzer of Clang.
-fuzz_packages=(libclang-rt-14-dev)
+# The sanitizers and libFuzzer of Clang; llvm: the names in their reports.
+fuzz_packages=(libclang-rt-14-dev llvm-14)
 
 # Prints those of the given packages that are not installed.
 missing_packages() {

@@ -317,7 +317,7 @@ void TestErrorAsQuality::replacesTheQualityOfTheOriginal()
 {
     LayerHost<SingleMesh> host(Bumps()), original(Bumps());
     for (auto& v : host.Mesh().vert) v.Q() = v.P()[0] * v.P()[1];
-    Apply(host, kAsQuality);
+    Apply(host, Also(kAsQuality, "measure_error", 1)); // which tells of the attributes
     CompareWithDistances(host.Mesh(), original.Mesh());
     bool guided = false;
     for (const std::string& line : host.log) guided |= line.find("Attributes, rms difference: ") == 0;

@@ -23,8 +23,8 @@ class CoreSetting:
 
     name: str
     flags: int = CROSSINGS | CLEAN | MEASURE
-    percent: int = 20
-    """Of the faces."""
+    share: int = 20
+    """Of the faces, in 255ths."""
     weights: int = 0x11
     """Of features, and 16 times that of attributes."""
     error: int = 0
@@ -47,23 +47,23 @@ def core_settings() -> list[CoreSetting]:
     every = CROSSINGS | CLEAN  # measuring takes ten times as long as the rest, so that only two do it
     return [
         CoreSetting("default", every | MEASURE, scalars=1),
-        CoreSetting("fast_floats", every | SINGLE | EVERY_THREADS, percent=10, effort=0),
-        CoreSetting("best_to_one_face", every | EVERY_THREADS, percent=0, effort=2, boundary=0),
-        CoreSetting("topology_kept", every | TOPOLOGY | LONG_INDICES, percent=5, boundary=0),
-        CoreSetting("borders_locked", every, percent=5, boundary=2, descriptor=1),
-        CoreSetting("input_as_it_is", SINGLE, percent=10, descriptor=2),
-        CoreSetting("bound_of_1_percent", every, percent=0, error=16),
-        CoreSetting("bound_of_nothing", CLEAN, percent=0, error=1, effort=0),
-        CoreSetting("best_within_4_percent", EVERY_THREADS, percent=0, error=18, effort=2),
+        CoreSetting("fast_floats", every | SINGLE | EVERY_THREADS, share=10, effort=0),
+        CoreSetting("best_to_one_face", every | EVERY_THREADS, share=0, effort=2, boundary=0),
+        CoreSetting("topology_kept", every | TOPOLOGY | LONG_INDICES, share=5, boundary=0),
+        CoreSetting("borders_locked", every, share=5, boundary=2, descriptor=1),
+        CoreSetting("input_as_it_is", SINGLE, share=10, descriptor=2),
+        CoreSetting("bound_of_1_percent", every, share=0, error=16),
+        CoreSetting("bound_of_nothing", CLEAN, share=0, error=1, effort=0),
+        CoreSetting("best_within_4_percent", EVERY_THREADS, share=0, error=18, effort=2),
         CoreSetting("welded_widely", every, weld=19),
         CoreSetting("welded_to_a_point", every, weld=23),
-        CoreSetting("locked", every | FIXED, percent=0, effort=2),
-        CoreSetting("selected", CROSSINGS | SELECTED, percent=0),
-        CoreSetting("selected_and_cleaned", every | SELECTED | FIXED, percent=0),
+        CoreSetting("locked", every | FIXED, share=0, effort=2),
+        CoreSetting("selected", CROSSINGS | SELECTED, share=0),
+        CoreSetting("selected_and_cleaned", every | SELECTED | FIXED, share=0),
         CoreSetting("random_attributes", every | LABELS | EVERY_THREADS, textures=1, scalars=4),
         CoreSetting("seams_ignored", every | LABELS | MEASURE, seams=1, weights=0xF1, textures=2, effort=2),
-        CoreSetting("levels", every, percent=150, levels=3),
-        CoreSetting("levels_as_they_are", 0, percent=200, levels=2, effort=0, boundary=0),
+        CoreSetting("levels", every, share=150, levels=3),
+        CoreSetting("levels_as_they_are", 0, share=200, levels=2, effort=0, boundary=0),
     ]
 
 
@@ -71,7 +71,7 @@ def bytes_of(mesh: HostileMesh, setting: CoreSetting) -> bytes:
     """Locks, selections and attributes are random, where the setting has any."""
     flags = setting.flags | ANY_INDEX
     counts = len(mesh.vertices), len(mesh.faces)
-    numbers = setting.percent, setting.weights, setting.error, setting.weld
+    numbers = setting.share, setting.weights, setting.error, setting.weld
     head = struct.pack("<HBbHHBBBBH", flags, 0, 0, *counts, *numbers, setting.choices())
     faces = np.where((mesh.faces < 0) | (mesh.faces > 65535), 65535, mesh.faces).astype("<u2")
     return head + mesh.vertices.astype("<f8").tobytes() + faces.tobytes() + _random_rest(setting, *counts)

@@ -213,17 +213,15 @@ inline bool MendCrossings(PipelineRun& run, CrossingKeeper& keeper, DecimatedMes
 {
     if (crossings.empty()) return true;
     const FaceTree& tree = *run.Tree();
-    const auto repair = [&](std::size_t allowed) {
-        run.RepairCrossingsOf(mesh, crossings, allowed, progress);
-        crossings = run.Crossings(mesh, keeper);
-    };
-    if (!keeper.Before() && AreFewCrossings(crossings.size(), mesh.triangles.size()) &&
-        !keeper.OriginalCrossesNear(crossings, mesh, tree)) {
-        repair(0);
+    if (!AreFewCrossings(crossings.size(), mesh.triangles.size()))
         return keeper.Allows(crossings.size(), tree);
+    std::size_t allowed = 0;
+    if (keeper.Before() || keeper.OriginalCrossesNear(crossings, mesh, tree)) {
+        if (keeper.Allows(crossings.size(), tree)) return true;
+        allowed = *keeper.Before();
     }
-    if (keeper.Allows(crossings.size(), tree)) return true;
-    repair(*keeper.Before());
+    run.RepairCrossingsOf(mesh, crossings, allowed, progress);
+    crossings = run.Crossings(mesh, keeper);
     return keeper.Allows(crossings.size(), tree);
 }
 
@@ -237,7 +235,7 @@ inline DecimatedMesh RunWithoutCrossings(PipelineRun& run, CrossingKeeper& keepe
         const int begins = run.Stages().crossingsBegin, ends = run.Stages().reportBegins;
         const StageProgress last = progress.Part(ends - 1, ends);
         DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : last);
-        progress(i == 0 ? begins : ends, "Counting self-intersections");
+        progress(i == 0 ? begins : ends - 1, "Counting self-intersections");
         std::vector<CrossingPair> crossings = run.Crossings(mesh, keeper);
         const bool done = MendCrossings(run, keeper, mesh, crossings, last);
         report.selfIntersections = crossings.size();

@@ -302,7 +302,6 @@ class TestBound : public QObject
         }
     }
 
-    /// A bound that refuses everything would be true as well.
     /// A limit below the spacing of single precision: from the one face to the other there is no way by
     /// halves.
     void segmentBetweenNeighboringNumbersEnds()
@@ -317,6 +316,8 @@ class TestBound : public QObject
         SegmentStack stack;
         QVERIFY(SegmentIsWithin(left, right, 1e-12F, distance2, find, stack));
     }
+
+    /// A bound that refuses everything would be true as well.
     void usesTheBound()
     {
         const IndexedMesh mesh = test_meshes::Icosphere(4); // 5,120 faces

@@ -85,7 +85,7 @@ class TestDistances : public QObject
         QVERIFY(std::abs(Distances(whole, half).rms - rms) < 0.02 * rms);
     }
 
-    /// A sheet of 40,000 faces that one end of is lifted: the distance rises from 0 to the lift at an even
+    /// A sheet of 40,000 faces of which one end is lifted: the distance rises from 0 to the lift at an even
     /// rate, both ways, so that the mean square is a third of its square (times a cosine of 1 - 2e-6).
     void rmsIsWithinThreeStandardErrorsOfTheTruth()
     {

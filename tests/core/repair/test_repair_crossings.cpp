@@ -98,6 +98,7 @@ class TestRepairCrossings : public QObject
         const auto pushed = mesh.positions[kPushed];
         Repair(view, mesh, 0);
         QVERIFY(mesh.positions[kPushed] == pushed);
+        QVERIFY(CrossingsOf(mesh).size() < CrossingsOf(Crossing()).size());
     }
 
     void nothingMovesWhereAllIsFixed()

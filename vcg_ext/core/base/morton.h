@@ -38,6 +38,7 @@ class MortonGrid
     {
         constexpr double kHighest = (1 << kBitsPerAxis) - 1;
         std::uint32_t code = 0;
+        if (!(scale_ > 0)) return code; // an extent beyond all numbers, or none
         for (std::size_t k = 0; k < 3; ++k) {
             const double cell = std::clamp((p[k] - low_[k]) * scale_, 0.0, kHighest);
             code |= SpreadBits(static_cast<std::uint32_t>(cell)) << k;

@@ -63,17 +63,17 @@ class CrossingKeeper
     bool OriginalCrossesNear(const std::vector<CrossingPair>& crossings, const DecimatedMesh& mesh,
                              const FaceTree& tree) const
     {
-        std::vector<std::uint32_t> faces, triangles;
-        ForEachFaceNear(crossings, mesh, tree, [&](std::uint32_t face) { faces.push_back(face); });
-        std::sort(faces.begin(), faces.end());
-        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-        for (const std::uint32_t face : faces) {
-            const std::uint32_t* v = original_.triangles + 3 * std::size_t{face};
-            triangles.insert(triangles.end(), v, v + 3);
+        std::vector<bool> isNear(original_.faceCount);
+        ForEachFaceNear(crossings, mesh, tree, [&](std::uint32_t face) { isNear[face] = true; });
+        std::vector<std::uint32_t> triangles;
+        for (std::size_t face = 0; face < isNear.size(); ++face) {
+            const std::uint32_t* v = original_.triangles + 3 * face;
+            if (isNear[face]) triangles.insert(triangles.end(), v, v + 3);
         }
+        if (triangles.empty()) return false;
         MeshView part = original_;
         part.triangles = triangles.data();
-        part.faceCount = faces.size();
+        part.faceCount = triangles.size() / 3;
         return !FindCrossings(part, FaceTree(part, tree.frame(), threads_), threads_).empty();
     }
 

@@ -243,8 +243,8 @@ inline std::vector<std::uint32_t> LargestTenth(const std::vector<std::uint32_t>&
         if (value[v] == *last) tied.push_back(v);
         if (value[v] >= *last) tenth.push_back(v);
     }
+    if (tenth.size() <= count) return tenth;          // fewer where values are no numbers
     const std::size_t surplus = tenth.size() - count; // of those that are tied, the largest indices
-    if (surplus == 0) return tenth;
     const auto kept = tied.begin() + static_cast<std::ptrdiff_t>(tied.size() - surplus);
     std::nth_element(tied.begin(), kept, tied.end());
     const auto isSurplus = [&](std::uint32_t v) { return value[v] == *last && v >= *kept; };

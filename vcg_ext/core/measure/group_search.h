@@ -73,8 +73,8 @@ class GroupSearch
     /// Takes points out of \p open that are surely not farther than the root of \p near2.
     void CloseNear(float near2, unsigned& open)
     {
-        for (const RecentFour& recent : recent_)
-            if (open != 0) CloseBeside(recent.faces, recent.prepared, near2, open);
+        for (std::size_t r = 0; r < std::min(next_, kRecent) && open != 0; ++r)
+            CloseBeside(recent_[r].faces, recent_[r].prepared, near2, open);
         for (std::size_t i = 0; open >> i != 0; ++i) {
             if ((open >> i & 1) == 0) continue;
             surface_.Tree().ForEachFourNear(points_[i], near2, [&](const FourTriangles& faces) {

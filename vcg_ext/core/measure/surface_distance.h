@@ -23,8 +23,8 @@ namespace vcg_ext
 /// coordinates.
 class SurfaceDistance
 {
-    static constexpr std::size_t kGrain = 1024;              ///< points that one thread measures at a time
-    static constexpr std::size_t kBetweenPolls = 8 * kGrain; ///< and all threads between two polls
+    static constexpr std::size_t kGrain = 1024; ///< points that one thread measures at a time
+    static constexpr std::size_t kGrains = 8;   ///< and so often between two polls
 
     const MeshView& view_;
     int threads_;
@@ -59,9 +59,10 @@ class SurfaceDistance
         const Frame& frame = tree_.frame();
         const StageProgress report(progress);
         std::vector<double> distances(points.size());
-        for (std::size_t first = 0; first < points.size(); first += kBetweenPolls) {
+        const std::size_t step = kGrain * kGrains * static_cast<std::size_t>(threads_);
+        for (std::size_t first = 0; first < points.size(); first += step) {
             report(static_cast<int>(100 * first / points.size()), "Distances to the original");
-            const std::size_t count = std::min(kBetweenPolls, points.size() - first);
+            const std::size_t count = std::min(step, points.size() - first);
             ParallelRanges(threads_, count, kGrain, [&](std::size_t begin, std::size_t end, int) {
                 ExactSurface::Search search;
                 for (std::size_t i = first + begin; i < first + end; ++i)

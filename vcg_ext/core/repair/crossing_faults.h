@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "vcg_ext/core/geometry/box.h"
@@ -27,7 +28,8 @@ class CrossingFaults
 {
     const FaceTree& simplified_; ///< the surface before the first change
     const SurfaceArrays& surface_;
-    bool floats_; ///< the caller's coordinates are
+    bool floats_;        ///< the caller's coordinates are
+    float rounding_ = 0; ///< in the frame, of the caller's coordinates where they are floats
     ExactPoints points_;
     std::vector<std::uint32_t> changed_; ///< faces since the start, sorted
     std::vector<std::uint32_t> changing_;
@@ -35,6 +37,7 @@ class CrossingFaults
 
   public:
     static constexpr bool kAreFolds = false;
+    static constexpr std::uint32_t kMaxStar = 64; ///< as each of them is tested against each
 
     /// \param mesh the surface \param simplified of its faces, which have not changed yet
     /// \param floats the coordinates of the original are floats
@@ -42,6 +45,12 @@ class CrossingFaults
                    bool floats)
         : simplified_(simplified), surface_(surface), floats_(floats), points_(mesh)
     {
+        if (!floats) return;
+        double largest = 0;
+        for (std::size_t v = 0; v < mesh.vertexCount; ++v)
+            for (const double x : mesh.Position(v)) largest = std::max(largest, std::abs(x));
+        constexpr double kUlp = std::numeric_limits<float>::epsilon();
+        rounding_ = static_cast<float>(largest * kUlp * simplified.frame().scale);
     }
 
     /// Pairs of these faces, and of one of them with another of the surface's.
@@ -52,7 +61,7 @@ class CrossingFaults
         for (const SurfaceTriangle& t : faces.corners) star.push_back(Boxed(t));
         int count = 0;
         for (std::size_t i = 0; i < star.size(); ++i)
-            for (std::size_t k = 0; k < i; ++k) count += Cross(star[i], star[k]);
+            for (std::size_t k = 0; k < i && count < enough; ++k) count += Cross(star[i], star[k]);
         Box3<float> around = EmptyBox<float>();
         for (const BoxedTriangle& triangle : star) {
             around.Add(triangle.box.low);
@@ -115,7 +124,7 @@ class CrossingFaults
     {
         Box3<float> box = EmptyBox<float>();
         for (const std::uint32_t v : t.v) box.Add(PositionOf(surface_, v));
-        box.Grow(kBoxMargin);
+        box.Grow(kBoxMargin + rounding_);
         return {{points_[t.v[0]], points_[t.v[1]], points_[t.v[2]]}, box};
     }
     static bool Cross(const BoxedTriangle& a, const BoxedTriangle& b)

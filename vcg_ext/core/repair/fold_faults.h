@@ -24,6 +24,7 @@ class FoldFaults
 
   public:
     static constexpr bool kAreFolds = true;
+    static constexpr std::uint32_t kMaxStar = std::numeric_limits<std::uint32_t>::max();
 
     FoldFaults(const FaceTree& original, const SurfaceArrays& surface)
         : original_(original), surface_(surface)

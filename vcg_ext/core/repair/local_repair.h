@@ -56,8 +56,9 @@ struct FacesInPlace {
 /// Faults says what is wrong: FoldFaults or CrossingFaults. It offers
 ///
 ///   kAreFolds                   whether the faults are the folded faces
-///   Count(faces, enough)        faults that the FacesInPlace have; where there are so many, it may stop
-///   there LetChange(faces)            only these of the surface's faces are about to be replaced
+///   kMaxStar                    faces around a vertex that may move
+///   Count(faces, enough)        faults of the FacesInPlace, or some number that is at least enough
+///   LetChange(faces)            only these of the surface's faces are about to be replaced
 ///   Slack2(face)                the square of how far the repair of a face may take what is no error so far
 ///   AddPlaces(face, v, places)  where vertex v might go to repair the face
 ///   Keep(v), Put(v), PutBack(v) v is about to be tried elsewhere; it has moved; it is back
@@ -228,6 +229,7 @@ class LocalRepair
         const SurfaceTriangle t = surface_.triangles[face];
         for (const std::uint32_t v : t.v) {
             if (surface_.flags[v] & (kFixedVertex | kSeamCorner)) continue;
+            if (surface_.cornerCount[v] > Faults::kMaxStar) continue;
             if (!bordersMove && !HasClosedStar(surface_, v, next_, previous_)) continue;
             star_ = {face}; // first, because it decides most often
             ForEachFaceAround(surface_, v, [&](std::uint32_t f) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,11 +21,11 @@
 namespace vcg_ext
 {
 
-/// Whether RepairCrossings would do anything about \p pairs of crossing faces too many, of so many \p faces.
+/// Whether RepairCrossings would do anything about \p pairs of crossing faces, of so many \p faces.
 inline bool AreFewCrossings(std::size_t pairs, std::size_t faces)
 {
-    constexpr std::size_t kFewPairs = 20, kFacesPerPair = 500;
-    return pairs <= kFewPairs + faces / kFacesPerPair;
+    constexpr std::size_t kFewPairs = 20, kFacesPerPair = 500, kMostPairs = 200;
+    return pairs <= std::min(kMostPairs, kFewPairs + faces / kFacesPerPair);
 }
 
 /// Repairs faces that cross as RepairFolds does those that are folded, until no more pairs of them cross than
@@ -39,7 +40,7 @@ inline void RepairCrossings(const MeshView& original, const FaceTree& tree, Deci
 {
     constexpr std::size_t kAttemptsPerPair = 10;
     const std::size_t pairs = crossings.size();
-    if (pairs <= allowed || !AreFewCrossings(pairs - allowed, mesh.triangles.size())) return;
+    if (pairs <= allowed || !AreFewCrossings(pairs, mesh.triangles.size())) return;
     std::vector<std::uint32_t> faces;
     for (const CrossingPair& pair : crossings) faces.insert(faces.end(), {pair.first, pair.second});
     SortUnique(faces);

@@ -41,6 +41,7 @@ void RunRepairPasses(LocalRepair<Faults>& repair, std::vector<std::uint32_t>& fa
         faulty.erase(std::remove_if(faulty.begin(), faulty.end(),
                                     [&](std::uint32_t f) { return !repair.IsFaulty(f); }),
                      faulty.end());
+        if (attempts == 0 || faults <= enough) return;
     }
 }
 
