@@ -64,7 +64,8 @@ def _endings(program: Path, file: Path, first: int) -> Iterator[tuple[int, str, 
 def _end_in_words(code: int, report: str) -> str:
     """The line of the sanitizer that says what happened, and the first of the project's places that it names."""
     lines = report.splitlines()
-    what = next((line.strip() for line in lines if "runtime error" in line or "ERROR: " in line or "ThreadSanitizer: " in line), "")
+    telling = ("runtime error", "ERROR: ", "ThreadSanitizer: ")
+    what = next((line.strip() for line in lines if any(words in line for words in telling)), "")
     place = next((line.split()[-1] for line in lines if "vcg_ext/" in line or "python/library/" in line), "")
     if code == -signal.SIGXCPU:
         return "it took more processor time than it may"
