@@ -52,7 +52,7 @@ def test_no_filter_has_a_fault(part: int) -> None:
 def test_core_has_no_fault() -> None:
     assert PROGRAM.exists(), "scripts/test builds it: cmake --build --preset tests --target hostile_cases"
     meshes = corpus()
-    jobs = jobs_of(meshes, len(core_settings()), every=89, valid_only=False)
+    jobs = jobs_of(meshes, len(core_settings()), every=181, valid_only=False)
     assert [run for run in core_runs(PROGRAM, meshes, core_settings(), jobs) if run.kind == "fault"] == []
 
 
