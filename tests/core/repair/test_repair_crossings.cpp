@@ -23,21 +23,21 @@ namespace
 {
 
 constexpr double kGap = 0.3;
-constexpr std::uint32_t kPushed = 4 + 4 * 9; ///< the middle of the lower sheet
+constexpr std::uint32_t kPushed = 4 + 4 * 9; ///< the middle of the lower sheet of 8 x 8
 
 /// Two sheets, one above the other.
-IndexedMesh Sheets()
+IndexedMesh Sheets(int n = 8)
 {
-    return Merged(Grid(8, 8), Moved(Grid(8, 8), 0, 1, {0, 0, kGap}));
+    return Merged(Grid(n, n), Moved(Grid(n, n), 0, 1, {0, 0, kGap}));
 }
 
 /// What a decimation is taken to have made of them: one vertex is pushed through the other sheet.
-DecimatedMesh Crossing()
+DecimatedMesh Crossing(int n = 8)
 {
-    const IndexedMesh sheets = Sheets();
+    const IndexedMesh sheets = Sheets(n);
     DecimatedMesh result;
     result.positions = sheets.points;
-    result.positions[kPushed][2] += 1.5 * kGap;
+    result.positions[static_cast<std::size_t>(n / 2 * (n + 2))][2] += 1.5 * kGap;
     result.triangles = sheets.triangles;
     for (std::uint32_t v = 0; v < sheets.points.size(); ++v) result.vertexOrigin.push_back(v);
     for (std::uint32_t f = 0; f < sheets.triangles.size(); ++f) result.faceOrigin.push_back(f);
@@ -153,10 +153,12 @@ class TestRepairCrossings : public QObject
 
     void bytesDoNotDependOnThreads()
     {
-        const IndexedMesh sheets = Sheets();
-        DecimatedMesh one = Crossing(), three = Crossing();
+        constexpr int kMany = 80; // vertices and faces for several threads in every loop
+        const IndexedMesh sheets = Sheets(kMany);
+        DecimatedMesh one = Crossing(kMany), three = Crossing(kMany);
         Repair(View(sheets), one, 0, 1);
         Repair(View(sheets), three, 0, 3);
+        QCOMPARE(CrossingsOf(one).size(), std::size_t{0});
         QVERIFY(one.positions == three.positions && one.triangles == three.triangles);
     }
 };

@@ -31,13 +31,7 @@ class FoldFaults
     {
     }
 
-    int Count(const FacesInPlace& faces, int enough) const
-    {
-        int folded = 0;
-        for (const PlacedTriangle& face : faces.placed)
-            if (IsFolded(original_, face) && ++folded >= enough) break;
-        return folded;
-    }
+    int Count(const FacesInPlace& faces, int enough) const { return CountFolded(original_, faces, enough); }
 
     float Slack2(std::uint32_t) const { return 0; }
 

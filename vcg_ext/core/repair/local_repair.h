@@ -49,6 +49,15 @@ struct FacesInPlace {
     }
 };
 
+/// Of these faces. \param enough where so many are folded, it may stop
+inline int CountFolded(const FaceTree& original, const FacesInPlace& faces, int enough)
+{
+    int folded = 0;
+    for (const PlacedTriangle& face : faces.placed)
+        if (IsFolded(original, face) && ++folded >= enough) break;
+    return folded;
+}
+
 /// Repairs what is wrong with faces of a simplified surface, each by the edge flip or the move of one of its
 /// vertices that leaves fewer faults, no more folded faces, and changes the distances between the surfaces
 /// most favourably.
@@ -141,15 +150,6 @@ class LocalRepair
         energy_.LetChange(faces);
         faults_.LetChange(faces);
     }
-    /// Of faces_; it may stop where so many are.
-    int CountFolded(int enough) const
-    {
-        int folded = 0;
-        for (const PlacedTriangle& face : faces_.placed)
-            if (IsFolded(original_, face) && ++folded >= enough) break;
-        return folded;
-    }
-
     /// Of faces_, where it is better than at the start.
     std::optional<Condition> BetterCondition(const Condition& start) const
     {
@@ -162,7 +162,7 @@ class LocalRepair
         condition.faults = faults_.Count(faces_, start.faults);
         if (condition.faults >= start.faults) return std::nullopt;
         if constexpr (!Faults::kAreFolds)
-            if (CountFolded(start.folded + 1) > start.folded) return std::nullopt;
+            if (CountFolded(original_, faces_, start.folded + 1) > start.folded) return std::nullopt;
         return condition;
     }
 
@@ -171,7 +171,7 @@ class LocalRepair
     {
         Start start;
         start.condition.faults = faults_.Count(faces_, kNoEnd);
-        if constexpr (!Faults::kAreFolds) start.condition.folded = CountFolded(kNoEnd);
+        if constexpr (!Faults::kAreFolds) start.condition.folded = CountFolded(original_, faces_, kNoEnd);
         for (const PlacedTriangle& face : faces_.placed) {
             start.condition.quality = std::min(start.condition.quality, face.shape.quality);
             start.rounding += face.shape.doubleArea / 2 * FaceTree::kOnSurface2;
