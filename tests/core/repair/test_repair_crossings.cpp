@@ -37,7 +37,8 @@ DecimatedMesh Crossing(int n = 8)
     const IndexedMesh sheets = Sheets(n);
     DecimatedMesh result;
     result.positions = sheets.points;
-    result.positions[static_cast<std::size_t>(n / 2 * (n + 2))][2] += 1.5 * kGap;
+    const auto middle = static_cast<std::size_t>(n) / 2 * (static_cast<std::size_t>(n) + 2);
+    result.positions[middle][2] += 1.5 * kGap;
     result.triangles = sheets.triangles;
     for (std::uint32_t v = 0; v < sheets.points.size(); ++v) result.vertexOrigin.push_back(v);
     for (std::uint32_t f = 0; f < sheets.triangles.size(); ++f) result.faceOrigin.push_back(f);
