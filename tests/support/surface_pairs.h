@@ -51,6 +51,17 @@ inline SurfacePair MakePair(const IndexedMesh& original, const IndexedMesh& simp
     return pair;
 }
 
+/// The same where each vertex of the original was collapsed to the one of the same number.
+inline SurfacePair MakePairOfSameVertices(const IndexedMesh& original, const IndexedMesh& simplified)
+{
+    const vcg_ext::Frame frame = vcg_ext::FrameOf(View(original));
+    SurfacePair pair{vcg_ext::BuildSurfaceArrays(View(original), frame),
+                     vcg_ext::BuildSurfaceArrays(View(simplified), frame),
+                     vcg_ext::Buffer<std::uint32_t>(original.points.size())};
+    for (std::uint32_t v = 0; v < pair.root.size(); ++v) pair.root[v] = v;
+    return pair;
+}
+
 inline vcg_ext::RefinementReport Refine(SurfacePair& pair,
                                         const vcg_ext::RefinementParameters& parameters = {})
 {

@@ -12,6 +12,7 @@
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/geometry/symmetric_matrix.h"
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/border_samples.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/samples.h"
 #include "vcg_ext/core/refine/surface_walk.h"
@@ -33,6 +34,7 @@ struct RefinementState {
     const SurfaceArrays& original;
     SurfaceArrays& simplified;
     SampleLists samples;
+    BorderSamples border;
     Buffer<SurfacePlace> vertexHints, centroidHints;
     Buffer<SurfacePlace> edgeHints;                      ///< 3 face + index, from vertex index to the next
     float meanSquare = 0;                                ///< rms^2 before the first change

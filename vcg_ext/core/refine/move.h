@@ -13,6 +13,7 @@
 #include "vcg_ext/core/base/float4.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/mesh/surface.h"
+#include "vcg_ext/core/refine/border_star.h"
 #include "vcg_ext/core/refine/energy.h"
 #include "vcg_ext/core/refine/parameters.h"
 #include "vcg_ext/core/refine/samples.h"
@@ -44,6 +45,7 @@ class VertexMover
     Scratch<Trial> trials_;
     SampleGroups groups_;
     BackwardPoints points_;
+    BorderStar border_;
     Scratch<std::pair<std::uint32_t, std::uint32_t>> byNext_; // (next vertex, face of the star)
 
   public:
@@ -56,6 +58,7 @@ class VertexMover
         const float negligible = state_.gainFactor * kMinMoveGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count < kMinSamples || !(summary.weight > 0) || summary.energy < negligible) return false;
         Gather(v);
+        if (IsOnBorder(v) && border_.Empty()) return false;
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
         if (!state_.backward2.empty()) state_.backward2[v] = before.backward2;
@@ -65,6 +68,7 @@ class VertexMover
         Vector3<float> step = Clipped(*best);
         if (state_.simplified.wedges && !MaySlide(state_.simplified, star_, v, step))
             step = AlongNormal(star_, step);
+        step = border_.KeepStraight(step, kStraightBorder * state_.meanSquare);
         const double gain = std::max(before.sum * static_cast<double>(state_.gainFactor * kMinMoveGain),
                                      static_cast<double>(negligible));
         if (static_cast<double>(Dot(equations.right, step)) < gain) return false;
@@ -81,12 +85,16 @@ class VertexMover
     static constexpr std::size_t kMaxQuadraticStar =
         32; ///< larger stars are sorted to find who is beside whom
 
+    bool IsOnBorder(std::uint32_t v) const { return (state_.simplified.flags[v] & kBorderVertex) != 0; }
     SampleSummary SummarizeStar(std::uint32_t v) const
     {
         SampleSummary summary;
         const SurfaceArrays& surface = state_.simplified;
         for (const Corner* c = BeginCorners(surface, v); c != EndCorners(surface, v); ++c)
             summary.Add(state_.samples.faces[FaceOf(*c)]);
+        if (IsOnBorder(v))
+            for (const std::uint32_t edge : {v, state_.border.loops.previous[v]})
+                summary.Add(state_.border.lists.faces[edge]);
         return summary;
     }
     void Gather(std::uint32_t v)
@@ -101,6 +109,8 @@ class VertexMover
             CollectSamples(state_.samples, star_[i].face, static_cast<std::uint32_t>(i), origin, groups_);
             trials_[i].samples.end = groups_.size();
         }
+        border_.Clear();
+        if (IsOnBorder(v)) border_.Gather(state_.simplified, state_.border, v);
         if (star_.size() <= kMaxQuadraticStar)
             LinkSmallStar();
         else
@@ -135,6 +145,9 @@ class VertexMover
     {
         Energy energy;
         MeasureForward(energy, equations);
+        const BorderStar::Energy border = border_.Measure(equations);
+        energy.sum += border.sum;
+        energy.forward2 = std::max(energy.forward2, border.largest2);
         CollectBackwardPoints(v);
         const float limit2 = kBackwardOutlier * std::max(energy.forward2, state_.meanSquare);
         const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3<float>{}, limit2,
@@ -180,7 +193,10 @@ class VertexMover
             MeasureBackward(search_, points_, step, std::numeric_limits<float>::max(), allowed, nullptr);
         if (backward.energy >= allowed || backward.largest2 > std::max(before.backward2, tolerable2))
             return false;
-        return ForwardStaysBelow(step, allowed - backward.energy, std::max(before.forward2, tolerable2));
+        const float limit2 = std::max(before.forward2, tolerable2);
+        double sum = backward.energy;
+        return border_.StaysBelow(step, sum, allowed, limit2) &&
+               ForwardStaysBelow(step, allowed - sum, limit2);
     }
     bool KeepsFaces(const Vector3<float>& step)
     {
@@ -216,6 +232,7 @@ class VertexMover
         flags = static_cast<std::uint8_t>(flags | kMovedVertex);
         state_.MarkChanged(v, kMovedLately);
         StoreSamples(state_.samples, groups_, star_.size(), [&](std::size_t i) { return star_[i].face; });
+        border_.Store(state_.border);
     }
 };
 
@@ -258,6 +275,9 @@ inline void VertexMover::CollectBackwardPoints(std::uint32_t v)
         add((1.0F / 3) * (s.toNext + s.toPrevious), kBackwardCentroidShare * faceArea, 1.0F / 3,
             trials_[i].samples, state_.centroidHints[s.face]);
         add(0.5F * s.toNext, kBackwardEdgeShare * faceArea, 0.5F, trials_[i].samples, NextEdgeHint(i));
+        if (trials_[i].acrossPrevious == kNone) // a border edge: of no face's next
+            add(0.5F * s.toPrevious, kBackwardEdgeShare * faceArea, 0.5F, trials_[i].samples,
+                state_.edgeHints[EdgeHint(MakeCorner(s.face, (IndexOf(s.corner) + 2) % 3))]);
     }
     add(Vector3<float>{}, kBackwardVertexShare * area, 1, all, state_.vertexHints[v]);
 }

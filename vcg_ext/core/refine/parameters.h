@@ -81,6 +81,13 @@ constexpr float kBackwardWeight = 0.5F;
 constexpr float kBackwardVertexShare = 0.15F, kBackwardEdgeShare = 0.35F, kBackwardCentroidShare = 0.5F;
 /// Of both faces' area on the midpoint of an edge that is flipped, and on their centroids.
 constexpr float kFlippedEdgeShare = 0.4F, kFlippedCentroidShare = 0.6F;
+/// Of a sample of the original's border, beside its length x that of the border edge it is attached to.
+constexpr float kBorderWeight = 0.5F;
+/// x rms^2; where the original's border is nearer than that, squared, to the simplified one, or to a plane
+/// through it, that counts as straight, or flat, and stays so.
+constexpr float kStraightBorder = 1e-4F;
+/// Border edges that a walk passes in each direction.
+constexpr std::size_t kMaxBorderWalk = 12;
 /// Squared distances backward before a change count at most this many times the larger of rms^2 and the
 /// largest squared distance forward: a walk that got stuck must not pay for a spike.
 constexpr float kBackwardOutlier = 16;

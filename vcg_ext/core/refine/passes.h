@@ -44,8 +44,9 @@ std::size_t MoveVertices(RefinementState& state, int threads, const Wanted& want
     PerThread<VertexMover> movers(state, threads);
     const SurfaceArrays& surface = state.simplified;
     const auto mayMove = [&](std::uint32_t v) {
-        return surface.cornerCount[v] >= kMinFaces &&
-               !(surface.flags[v] & (kBorderVertex | kFixedVertex | kSeamCorner)) && wanted(v);
+        if ((surface.flags[v] & (kFixedVertex | kSeamCorner)) || !wanted(v)) return false;
+        if (surface.flags[v] & kBorderVertex) return state.border.MayMove(v);
+        return surface.cornerCount[v] >= kMinFaces;
     };
     ForEachStar(surface, state.blockVertices, threads, mayMove, [&](std::uint32_t v, int thread) {
         auto& slot = movers[thread];

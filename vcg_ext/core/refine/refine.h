@@ -28,7 +28,7 @@ namespace vcg_ext
 
 /// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
 /// moves would gain nothing and make flat parts uneven.
-constexpr double kFlatTilt = 5e-4;
+constexpr double kFlatTilt = 5e-5;
 /// Unless some sample is farther than this part of a face's size.
 constexpr double kFlatDistance = 1e-2;
 
@@ -56,6 +56,7 @@ inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArr
     RefinementState state{original,
                           simplified,
                           AttachSamples(original, simplified, root, threads, featureShare),
+                          AttachBorderSamples(original, simplified, root, threads),
                           NoHints(simplified.VertexCount()),
                           NoHints(simplified.FaceCount()),
                           NoHints(3 * simplified.FaceCount())};
@@ -90,8 +91,9 @@ void RefineInPasses(RefinementState& state, const RefinementParameters& paramete
 ///
 /// No move or flip turns a face over, makes a degenerate or duplicate face or an edge with more than two
 /// faces, or lets the energy of its star rise. Where points that were not looked at say that the largest
-/// distance rose nevertheless, vertices and diagonals go back, unless parameters.exchange is set. Border
-/// vertices, fixed vertices and edges between two fixed vertices stay. The bytes of the result do not depend
+/// distance rose nevertheless, vertices and diagonals go back, unless parameters.exchange is set. Vertices on
+/// two open edges move where that brings these nearer to the original's border, too. Other border vertices,
+/// fixed vertices and edges between two fixed vertices stay. The bytes of the result do not depend
 /// on the number of threads.
 ///
 /// \param original weights of the points: e^{2 l}, > 0
