@@ -11,8 +11,7 @@ EXPLANATION = (
     ".07454 (∫ K^⅓ dS)^1.5 / (n √S), while every triangle has many of the input below it; on a sphere that is "
     ".9366 R/n. The figures are × that, so 1 is the best possible: [optimum.py](../benchmarks/optimum.py) says why. On "
     "a torus K changes its sign, and the formula with |K| is a unit to compare tools in, not a bound. On the cylinder "
-    "the optimum is strips from one end to the other: all vertices are then on borders, which the refinement leaves "
-    "alone, so balanced and best give the mesh of effort fast there. Every "
+    "the optimum is strips from one end to the other, all vertices on borders. Every "
     "result is compared at the number of faces that it has; bold where another tool is ahead."
 )
 

@@ -26,8 +26,8 @@
 namespace vcg_ext
 {
 
-/// Where the rms is below this part of a face's size, faces are tilted by less than a thirtieth of a degree:
-/// moves would gain nothing and make flat parts uneven.
+/// Where the rms is below this part of a face's size, faces are tilted by less than a three-hundredth of a
+/// degree: moves would gain nothing and make flat parts uneven.
 constexpr double kFlatTilt = 5e-5;
 /// Unless some sample is farther than this part of a face's size.
 constexpr double kFlatDistance = 1e-2;
