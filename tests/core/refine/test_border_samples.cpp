@@ -98,23 +98,27 @@ class TestBorderSamples : public QObject
                  std::ptrdiff_t{(kCoarse - 1) * (kCoarse - 1)});
     }
 
-    /// Where two fans meet nobody is next.
-    void aVertexOfTwoFansIsOnNoLoop()
+    /// Two fans that share vertex 0: two edges begin there, and would have the same number.
+    void whereTwoFansMeetNobodyIsNext()
     {
-        const IndexedMesh mesh = BowTie();
-        const SurfacePair pair = MakePair(mesh, mesh);
-        const vcg_ext::BorderLoops loops = vcg_ext::FindBorderLoops(pair.simplified, 1);
-        std::size_t onLoop = 0;
-        for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-            std::vector<std::uint32_t> next, previous;
-            HasClosedStar(pair.simplified, v, next, previous);
-            std::size_t open = 0;
-            for (const std::uint32_t w : next)
-                open += std::count(previous.begin(), previous.end(), w) == 0 ? 1U : 0U;
-            QCOMPARE(loops.next[v] != kNone, open == 1);
-            onLoop += open == 1 ? 1U : 0U;
+        IndexedMesh mesh;
+        mesh.points = {{0, 0, 0}};
+        for (const int side : {1, -1}) {
+            for (const double angle : {-0.9, -0.3, 0.3, 0.9})
+                mesh.points.push_back({side * std::cos(angle), side * std::sin(angle), 0});
+            const std::size_t first = mesh.points.size() - 4;
+            for (std::size_t i = 0; i < 3; ++i) mesh.AddTriangle(0, first + i, first + i + 1);
         }
-        QVERIFY(onLoop > 0 && onLoop < mesh.points.size());
+        SurfacePair pair = MakePair(mesh, mesh);
+        const BorderSamples border = Attach(pair);
+        QCOMPARE(border.loops.next[0], kNone);
+        QCOMPARE(border.loops.previous[0], kNone);
+        std::set<std::uint32_t> mayMove;
+        for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
+            if (border.MayMove(v)) mayMove.insert(v);
+        // of each fan the one that follows vertex 0 stays; the one before it has no edge in common with
+        // others
+        QCOMPARE(mayMove, (std::set<std::uint32_t>{2, 3, 4, 6, 7, 8}));
     }
 
     /// Vertex 0 has two faces between 1 and 3, and on the edge between these a face and its back.
@@ -220,6 +224,20 @@ class TestBorderSamples : public QObject
         const std::vector<std::uint8_t> fixed(coarse.points.size(), 1);
         QVERIFY(Attach(MakePair(Dome(kFine, 0.3), coarse, fixed)).lists.samples.empty());
         QVERIFY(Attach(MakePair(Icosphere(2), Icosphere(1))).lists.samples.empty());
+    }
+
+    /// Many blocks with many borders between them.
+    void threadsDoNotChangeAByte()
+    {
+        std::vector<unsigned char> expected;
+        for (const int threads : {1, 2, 7}) {
+            SurfacePair pair = MakePair(Dome(kFine, 0.3), Dome(kCoarse, 0.3));
+            auto state = vcg_ext::BeginRefinement(pair.original, pair.simplified, pair.root, threads);
+            state.blockVertices = 8;
+            QVERIFY(vcg_ext::MoveVertices(state, threads) > 4 * kCoarse);
+            if (threads == 1) expected = Bytes(pair.simplified);
+            QVERIFY(Bytes(pair.simplified) == expected);
+        }
     }
 
     /// Where nothing of the original's border was collapsed to it, a border vertex stays: it would drift away

@@ -22,7 +22,7 @@ namespace vcg_ext
 {
 
 /// Who follows whom along the open borders of a surface; kNone elsewhere, and where a vertex is on another
-/// number of open edges than two.
+/// number of open edges than two. Several vertices may follow such a one.
 struct BorderLoops {
     Buffer<std::uint32_t> next, previous;
 };
@@ -64,10 +64,13 @@ inline BorderLoops FindBorderLoops(const SurfaceArrays& surface, int threads)
 /// The samples of the borders. Empty where no border vertex may move.
 struct BorderSamples {
     BorderLoops loops; ///< of the simplified surface
-    SampleLists lists; ///< of border edges instead of faces
+    SampleLists lists; ///< of border edges instead of faces; an origin is a vertex of the original
 
-    /// Is the border vertex \p v on two open edges?
-    bool MayMove(std::uint32_t v) const { return !loops.next.empty() && loops.next[v] != kNone; }
+    /// Is the border vertex \p v on two open edges that nobody else has the numbers of?
+    bool MayMove(std::uint32_t v) const
+    {
+        return !loops.next.empty() && loops.next[v] != kNone && loops.next[loops.previous[v]] != kNone;
+    }
 };
 
 /// The squared distance of a point to the segment from 0 to \p edge.
@@ -97,6 +100,9 @@ class BorderAttacher
     /// distance exactly where it is that to a line (Simpson's rule). \param border of the original
     SampleLists Attach(const BorderLoops& border)
     {
+        const auto isNone = [](std::uint32_t v) { return v == kNone; };
+        const auto none = std::count_if(border.next.begin(), border.next.end(), isNone);
+        samples_.reserve(2 * (border.next.size() - static_cast<std::size_t>(none)));
         for (std::uint32_t v = 0; v < original_.VertexCount(); ++v) {
             const std::uint32_t to = border.next[v];
             if (to == kNone) continue;
@@ -146,10 +152,10 @@ class BorderAttacher
         SampleLists lists;
         lists.faces.Allocate(simplified_.VertexCount());
         for (std::uint32_t v = 0; v < lists.faces.size(); ++v) lists.Clear(v);
-        std::stable_sort(samples_.begin(), samples_.end(),
-                         [](const Sample& l, const Sample& r) { return l.face < r.face; });
         lists.samples.Allocate(samples_.size());
-        std::copy(samples_.begin(), samples_.end(), lists.samples.begin());
+        StableScatter(
+            1, samples_.size(), simplified_.VertexCount(), [&](std::size_t i) { return samples_[i].face; },
+            [&](std::size_t i, std::size_t to) { lists.samples[to] = samples_[i]; });
         for (auto i = static_cast<std::uint32_t>(samples_.size()); i-- > 0;)
             lists.Attach(i, lists.samples[i].face);
         return lists;

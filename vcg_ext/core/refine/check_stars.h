@@ -239,6 +239,7 @@ inline std::size_t TakeBackWorse(RefinementState& state, const SurfaceBefore& be
     const float limit2 = state.farthest2;
     const Suspects suspects = SuspectFinder(state, limit2, threads).Find();
     state.samples = {};
+    state.border = {};
     if (suspects.empty()) return 0;
     return StarCheck(state.original, state.simplified, before, limit2, threads).Run(suspects);
 }

@@ -36,7 +36,7 @@ class VertexMover
     };
     struct Energy {
         double sum = 0;
-        float forward2 = 0, backward2 = 0; ///< largest squared distances
+        float forward2 = 0, backward2 = 0, border2 = 0; ///< largest squared distances
     };
 
     RefinementState& state_;
@@ -58,7 +58,7 @@ class VertexMover
         const float negligible = state_.gainFactor * kMinMoveGainOfMean * state_.meanSquare * summary.weight;
         if (summary.count < kMinSamples || !(summary.weight > 0) || summary.energy < negligible) return false;
         Gather(v);
-        if (IsOnBorder(v) && border_.Empty()) return false;
+        if (groups_.size() == 0 || (IsOnBorder(v) && border_.Empty())) return false;
         EquationSums sums;
         const Energy before = MeasureStar(v, sums);
         if (!state_.backward2.empty()) state_.backward2[v] = before.backward2;
@@ -147,7 +147,7 @@ class VertexMover
         MeasureForward(energy, equations);
         const BorderStar::Energy border = border_.Measure(equations);
         energy.sum += border.sum;
-        energy.forward2 = std::max(energy.forward2, border.largest2);
+        energy.border2 = border.largest2;
         CollectBackwardPoints(v);
         const float limit2 = kBackwardOutlier * std::max(energy.forward2, state_.meanSquare);
         const BackwardEnergy backward = MeasureBackward(search_, points_, Vector3<float>{}, limit2,
@@ -179,7 +179,10 @@ class VertexMover
     Vector3<float> Clipped(const Vector3<float>& step) const
     {
         float shortest2 = std::numeric_limits<float>::max();
-        for (std::size_t i = 0; i < star_.size(); ++i) shortest2 = std::min(shortest2, star_[i].triangle.bb);
+        for (std::size_t i = 0; i < star_.size(); ++i) {
+            shortest2 = std::min(shortest2, star_[i].triangle.bb);
+            if (trials_[i].acrossPrevious == kNone) shortest2 = std::min(shortest2, star_[i].triangle.cc);
+        }
         const float largest = kMaxStep * std::sqrt(shortest2), length = Norm(step);
         return length > largest ? (largest / length) * step : step;
     }
@@ -193,10 +196,9 @@ class VertexMover
             MeasureBackward(search_, points_, step, std::numeric_limits<float>::max(), allowed, nullptr);
         if (backward.energy >= allowed || backward.largest2 > std::max(before.backward2, tolerable2))
             return false;
-        const float limit2 = std::max(before.forward2, tolerable2);
         double sum = backward.energy;
-        return border_.StaysBelow(step, sum, allowed, limit2) &&
-               ForwardStaysBelow(step, allowed - sum, limit2);
+        return border_.StaysBelow(step, sum, allowed, std::max(before.border2, tolerable2)) &&
+               ForwardStaysBelow(step, allowed - sum, std::max(before.forward2, tolerable2));
     }
     bool KeepsFaces(const Vector3<float>& step)
     {

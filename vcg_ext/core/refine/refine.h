@@ -91,10 +91,10 @@ void RefineInPasses(RefinementState& state, const RefinementParameters& paramete
 ///
 /// No move or flip turns a face over, makes a degenerate or duplicate face or an edge with more than two
 /// faces, or lets the energy of its star rise. Where points that were not looked at say that the largest
-/// distance rose nevertheless, vertices and diagonals go back, unless parameters.exchange is set. Vertices on
-/// two open edges move where that brings these nearer to the original's border, too. Other border vertices,
-/// fixed vertices and edges between two fixed vertices stay. The bytes of the result do not depend
-/// on the number of threads.
+/// distance rose nevertheless, vertices and diagonals go back, unless parameters.exchange is set. The
+/// vertices of open borders move, too; the distance of the original's border to theirs is part of the energy.
+/// Fixed vertices, edges between two of them and vertices on another number of open edges than two stay. The
+/// bytes of the result do not depend on the number of threads.
 ///
 /// \param original weights of the points: e^{2 l}, > 0
 /// \param simplified in the same frame; flags mark border and fixed vertices. Moved vertices get
