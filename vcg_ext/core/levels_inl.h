@@ -118,7 +118,7 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
 } // namespace levels_detail
 
 VCG_EXT_INLINE std::vector<Simplification>
-SimplifyLevels(const MeshView& view, DecimationParameters parameters, const std::vector<Level>& levels)
+SimplifyLevels(const MeshView& view, const DecimationParameters& parameters, const std::vector<Level>& levels)
 {
     CheckLevels(levels);
     for (const Level& level : levels) CheckParameters(ParametersOf(parameters, level));
