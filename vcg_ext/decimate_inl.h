@@ -35,9 +35,12 @@ VCG_EXT_INLINE Simplification Decimate(const MeshView& view, const DecimationPar
     const auto collapse = [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {
         return CollapseInOrder(mesh, parameters, kept, progress);
     };
-    return OnCleanInput(view, parameters, [&](const MeshView& mesh) {
-        return RunPipeline(mesh, parameters, stages, collapse);
-    });
+    return OnCleanInput(
+        view, parameters,
+        [&](const MeshView& mesh, const DecimationParameters& own) {
+            return RunPipeline(mesh, own, stages, collapse);
+        },
+        CancelledRun);
 }
 
 VCG_EXT_INLINE std::vector<Simplification>

@@ -20,7 +20,7 @@ from .file_arguments import STANDARD_OUTPUT, Files, files_of, files_of_levels
 from .files.errors import printable
 from .files.output_formats import output_format
 from .files.source import scratch_named
-from .files.staging import check_target, staged_output
+from .files.staging import check_target, staged_output, write_staged
 from .following import in_a_process
 from .options import SHORT_NAMES, WITHOUT_OPTION, Command, as_option, make_parser
 from .pictures.outputs import DRAW, Outputs, drawing
@@ -154,7 +154,7 @@ def _run(
             job = drawing(scene, facts, drawn, threads=values.get("threads", 0))
             in_a_process(job, scratch, DRAW, quiet=options.quiet, drawn=outputs.shown)
         if staged_report:
-            staged_report.write_text(answer["text"], encoding="utf-8")
+            write_staged(staged_report, answer["text"], printable(str(files.json)))
     return answer
 
 
@@ -199,7 +199,7 @@ def _levels(command: Command, options: argparse.Namespace, values: Mapping[str, 
         ]
         text = json.dumps(reports, indent=2) + "\n"
         if staged_report:
-            staged_report.write_text(text, encoding="utf-8")
+            write_staged(staged_report, text, printable(str(first.json)))
     for note in answer["notes"]:
         say(f"laplacian-simplify: note: {note}")
     if not options.quiet:

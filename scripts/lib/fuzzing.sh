@@ -11,6 +11,15 @@ ensure_fuzzing() { ensure_more fuzzing "Python package that fuzzes" "$fuzzing_re
 
 # fuzz TARGET MINUTES: from its seeds and what earlier nights have learned. Fails where something is found.
 fuzz() {
+    local scratch status=0
+    scratch=$(mktemp -d -p "$([[ -w /dev/shm ]] && echo /dev/shm || echo "${TMPDIR:-/tmp}")")
+    TMPDIR=$scratch run_fuzzer "$@" || status=$?
+    rm -rf "$scratch"
+    return "$status"
+}
+
+# run_fuzzer TARGET MINUTES: the same with $TMPDIR for its files, which may remain there.
+run_fuzzer() {
     local learned=$top/build/fuzzed/$1 findings=$top/build/findings/$1 program=("$top/build/fuzz/tests/hostile/$1")
     local python=("$python_environment/bin/python")
     export PYTHONPATH=$project_package

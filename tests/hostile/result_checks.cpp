@@ -98,11 +98,6 @@ bool IsDistance(double x)
 
 } // namespace
 
-bool HasNaN(const std::vector<double>& numbers)
-{
-    return std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); });
-}
-
 bool HasTooLarge(const std::vector<double>& numbers)
 {
     return !std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) <= 1e18; });

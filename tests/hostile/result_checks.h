@@ -22,8 +22,6 @@ struct Produced {
     std::size_t faceCount;
 };
 
-bool HasNaN(const std::vector<double>& numbers);
-
 /// Whether a coordinate is none that the library takes: not finite, or larger than 1e18.
 bool HasTooLarge(const std::vector<double>& numbers);
 

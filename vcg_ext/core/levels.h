@@ -83,8 +83,9 @@ std::vector<Simplification> EachLevelByItself(const DecimationParameters& parame
 /// \param parameters targetFaces and maxError are not read
 /// \param levels from the finest to the coarsest; a bound for all of them or for none
 /// \throws as Simplify and CheckLevels
-VCG_EXT_INLINE std::vector<Simplification>
-SimplifyLevels(const MeshView& view, DecimationParameters parameters, const std::vector<Level>& levels);
+VCG_EXT_INLINE std::vector<Simplification> SimplifyLevels(const MeshView& view,
+                                                          const DecimationParameters& parameters,
+                                                          const std::vector<Level>& levels);
 
 } // namespace vcg_ext
 

@@ -87,10 +87,10 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
                                             const std::vector<Level>& levels)
 {
     const int threads = ResolveThreads(parameters.threads);
-    const PipelineStages stages = StagesOfSweeps(parameters.effort);
+    const PipelineStages stages = StagesOfSweeps(parameters.effort, view.attributes != nullptr);
     RunProgress caller(parameters.progress);
     const StageProgress progress{std::ref(caller)};
-    const LoopPoll poll([&] { caller.Repeat(); });
+    const LoopPoll poll([&](int percent) { caller.GoOn(percent); });
     const std::vector<int> ends = EndsOf(levels, view.faceCount, stages.refine);
     std::vector<Simplification> results;
     results.reserve(levels.size());
@@ -118,18 +118,22 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
 } // namespace levels_detail
 
 VCG_EXT_INLINE std::vector<Simplification>
-SimplifyLevels(const MeshView& view, DecimationParameters parameters, const std::vector<Level>& levels)
+SimplifyLevels(const MeshView& view, const DecimationParameters& parameters, const std::vector<Level>& levels)
 {
     CheckLevels(levels);
     for (const Level& level : levels) CheckParameters(ParametersOf(parameters, level));
     CheckForSweeps(view, ParametersOf(parameters, levels.front()));
-    return OnCleanInput(view, parameters, [&](const MeshView& mesh) {
+    const auto cancelled = [&](const MeshView& mesh) {
+        return std::vector<Simplification>(levels.size(), CancelledRun(mesh));
+    };
+    const auto run = [&](const MeshView& mesh, const DecimationParameters& own) {
         const bool bound =
             std::any_of(levels.begin(), levels.end(), [](const Level& level) { return level.maxError > 0; });
-        if (!bound) return levels_detail::RunChain(mesh, parameters, levels);
-        return EachLevelByItself(parameters, levels,
-                                 [&](const DecimationParameters& own) { return RunSweeps(mesh, own); });
-    });
+        if (!bound) return levels_detail::RunChain(mesh, own, levels);
+        return EachLevelByItself(
+            own, levels, [&](const DecimationParameters& ofLevel) { return RunSweeps(mesh, ofLevel); });
+    };
+    return OnCleanInput(view, parameters, run, cancelled);
 }
 
 } // namespace vcg_ext

@@ -140,7 +140,7 @@ class PipelineRun
         const CrossingKeeper* const guard = keeper && keeper->Guarded() ? keeper : nullptr;
         resultTree_.reset();
         DecimatedMesh mesh = CollapsedAndRefined(guard, progress);
-        progress(stages_.repairBegins, "Repairing folds");
+        progress(stages_.repairBegins, "Repairing folds", stages_.crossingsBegin, 4);
         if (!stages_.bound && !built_) built_ = TreeOf(view_, mesh, faceOrder_, threads_);
         if (stages_.repairFolds && Tree())
             RepairMesh(view_, *Tree(), mesh, parameters_.boundary, stages_.bound, guard, threads_,
@@ -173,16 +173,20 @@ class PipelineRun
     /// Distances and what the values of corners are off, into \p report. \pre there is a tree
     void Measure(const DecimatedMesh& mesh, DecimationReport& report, const StageProgress& progress)
     {
-        progress(0, "Measuring distances");
+        const int attributesEnd = mesh.wedges && mesh.wedges->channels.size() > 0 ? 40 : 0;
+        const StageProgress distances = progress.Part(attributesEnd, 100);
+        constexpr int kLoops = 8;
+        progress(0, "Measuring distances", attributesEnd, kLoops);
         if (descriptor_.empty()) {
             const std::vector<double> values = LaplacianDescriptor(view_, threads_);
             descriptor_.assign(values.begin(), values.end());
         }
         if (mesh.wedges && mesh.wedges->channels.size() > 0)
             AttributeMeasure(view_, *Tree(), mesh, threads_).Measure(*report.attributes);
+        distances(0, "Measuring distances", 8);
         if (!resultTree_) BuildResultTree(mesh);
         report.distances = MeasureDistances(view_, *Tree(), mesh, *resultTree_, descriptor_, kDistanceSamples,
-                                            threads_, progress);
+                                            threads_, distances);
     }
 
   private:
@@ -235,7 +239,7 @@ inline DecimatedMesh RunWithoutCrossings(PipelineRun& run, CrossingKeeper& keepe
         const int begins = run.Stages().crossingsBegin, ends = run.Stages().reportBegins;
         const StageProgress last = progress.Part(ends - 1, ends);
         DecimatedMesh mesh = run.Run(&keeper, i == 0 ? progress : last);
-        progress(i == 0 ? begins : ends - 1, "Counting self-intersections");
+        progress(i == 0 ? begins : ends - 1, "Counting self-intersections", ends - 1, 4);
         std::vector<CrossingPair> crossings = run.Crossings(mesh, keeper);
         const bool done = MendCrossings(run, keeper, mesh, crossings, last);
         report.selfIntersections = crossings.size();
@@ -269,9 +273,9 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     result.mesh = run.Parameters().avoidSelfIntersections ? RunWithoutCrossings(run, keeper, found, progress)
                                                           : run.Run(nullptr, progress);
     const StageProgress last = progress.Part(run.Stages().reportBegins, 100);
-    last(0, "Transferring attributes");
+    last(0, "Transferring attributes", 30, 8);
     run.TransferAttributes(result.mesh);
-    last(20, "Counting edges");
+    last(30, "Counting edges", 32);
     report = CountsOf(view, result.mesh, targetFaces);
     report.selfIntersections = found.selfIntersections;
     report.selfIntersectionsBefore = found.selfIntersectionsBefore;
@@ -279,7 +283,7 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     if (run.Stages().bound) report.certifiedError = run.Stages().bound->CertifiedError();
     report.trace = std::move(run.trace);
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report, last.Part(30, 100));
+    if (run.Parameters().measureError && run.Tree()) run.Measure(result.mesh, report, last.Part(32, 100));
     result.mesh.wedges.reset();
     return result;
 }
@@ -299,7 +303,7 @@ VCG_EXT_INLINE Simplification RunPipeline(const MeshView& view, const Decimation
 {
     const int threads = ResolveThreads(parameters.threads);
     RunProgress progress(parameters.progress);
-    const LoopPoll poll([&] { progress.Repeat(); });
+    const LoopPoll poll([&](int percent) { progress.GoOn(percent); });
     try {
         PipelineRun run(view, parameters, stages, collapse, threads);
         CrossingKeeper keeper(view, threads);

@@ -13,6 +13,7 @@
 #include <vcg/complex/algorithms/local_optimization.h>
 #include <vcg/complex/algorithms/local_optimization/tri_edge_collapse.h>
 
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/ordered/ring.h"
@@ -240,7 +241,10 @@ class CollapseRun : public vcg::BaseParameterClass
     void QueueAll()
     {
         optimization_.h.clear();
+        constexpr std::size_t kBetweenQuestions = 4096; // vertices
+        std::size_t seen = 0;
         for (VertexType& vertex : mesh_.vert) {
+            if (++seen % kBetweenQuestions == 0) LoopPoll::Ask();
             if (vertex.IsD()) continue;
             for (const RingEdge<Mesh>& edge : ring_.Collect(vertex))
                 if (&vertex < edge.neighbour) QueueEdge(*edge.neighbour, vertex);
@@ -269,12 +273,14 @@ class CollapseRun : public vcg::BaseParameterClass
         const std::size_t before = Faces();
         if (before <= targetFaces) return StopReason::Target;
         optimization_.template Init<Collapse>();
+        constexpr int kBetweenQuestions = 256; // collapses
+        optimization_.SetTargetOperations(kBetweenQuestions);
         constexpr std::size_t kSteps = 100;
         const std::size_t step = std::max<std::size_t>(1, (before - targetFaces) / kSteps);
         while (Faces() > targetFaces) {
             const std::size_t next = Faces() - std::min(step, Faces() - targetFaces);
             optimization_.SetTargetSimplices(static_cast<int>(next));
-            optimization_.DoOptimization();
+            while (optimization_.DoOptimization() && Faces() > next) LoopPoll::Ask();
             const bool retrying = RetryRefused(false);
             if (Faces() > next && !retrying && !(method_.BeginLastResort() && RetryRefused(true)))
                 return StopReason::NoLegalCollapse;

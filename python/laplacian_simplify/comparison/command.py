@@ -13,7 +13,7 @@ from typing import Any
 from ..file_arguments import STANDARD_OUTPUT, check_apart
 from ..files.errors import printable
 from ..files.source import STANDARD_INPUT, scratch_named
-from ..files.staging import staged_output
+from ..files.staging import staged_output, write_staged
 from ..following import in_a_process
 from ..pictures.outputs import DRAW, Outputs, drawing
 from ..pictures.scene import Facts
@@ -53,7 +53,7 @@ def run_compare(options: argparse.Namespace) -> int:
             in_a_process(job, scratch, DRAW, quiet=options.quiet, drawn=outputs.shown)
         text = _json(answer["report"], shown, samples)
         if staged_report:
-            staged_report.write_text(text, encoding="utf-8")
+            write_staged(staged_report, text, printable(options.json))
     if not options.quiet:
         title = f"{shown[0]} | {shown[1]} in {answer['report']['seconds']:.2f} s"
         (say if options.json == STANDARD_OUTPUT else show)("\n".join([title, *answer["lines"]]))

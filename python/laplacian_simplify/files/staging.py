@@ -80,6 +80,18 @@ def unwritable(shown: str, error: OSError | ValueError, folder: Path) -> MeshFil
     return MeshFileError(f"{shown} cannot be written: {reason}" + (f"; {remedy}" if remedy else ""))
 
 
+def write_staged(staged: Path, content: str | bytes, shown: str) -> None:
+    """Writes all of a staged file.
+
+    Raises:
+        MeshFileError: it could not be written; names shown and the reason.
+    """
+    try:
+        staged.write_bytes(content if isinstance(content, bytes) else content.encode())
+    except OSError as error:
+        raise unwritable(shown, error, staged.parent.parent) from None
+
+
 def check_room(staged: Path, shown: str) -> None:
     """Finds out why a file that a library wrote is not whole: not all libraries look whether writing succeeds.
 

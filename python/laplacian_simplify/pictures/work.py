@@ -9,6 +9,7 @@ from typing import Any
 
 from ..child import Stage
 from ..comparison.distances import measure
+from ..files.staging import write_staged
 from .error_map import color_limit, error_map
 from .outputs import VTK_WINDOW, off_screen_window
 from .page import page_text
@@ -53,6 +54,6 @@ def draw(
         warnings.simplefilter("ignore")  # of a letter that a font lacks
         png = draw_picture(shown, error_map(before, after, _FACES_OF_PICTURE, threads), about, look)
     if picture:
-        Path(picture).write_bytes(png)
+        write_staged(Path(picture), png, "the picture")
     if page:
-        Path(page).write_text(page_text(shown, found, about, look, png, threads), encoding="utf-8")
+        write_staged(Path(page), page_text(shown, found, about, look, png, threads), "the page")

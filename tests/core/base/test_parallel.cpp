@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -14,7 +15,9 @@
 #include <thread>
 #include <vector>
 
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/parallel.h"
+#include "vcg_ext/core/base/progress.h"
 
 using namespace vcg_ext;
 
@@ -68,13 +71,14 @@ class TestParallel : public QObject
         }
     }
 
-    void anExceptionArrivesAfterTheOtherItemsAreDone()
+    void anExceptionArrivesAfterWhatWasBegunIsDone()
     {
         for (const int threads : {2, 7}) {
-            std::vector<int> done(100);
+            std::vector<int> begun(100), done(100);
             std::string message;
             try {
                 ParallelFor(threads, done.size(), [&](std::size_t item, int) {
+                    begun[item] = 1;
                     if (item == 50) throw std::runtime_error("item 50");
                     done[item] = 1;
                 });
@@ -82,7 +86,9 @@ class TestParallel : public QObject
                 message = error.what();
             }
             QCOMPARE(message, std::string("item 50"));
-            QCOMPARE(std::accumulate(done.begin(), done.end(), 0), 99);
+            QCOMPARE(done[50], 0);
+            done[50] = 1;
+            QCOMPARE(done, begun); // how many those are depends on when the others began
         }
     }
 
@@ -149,6 +155,55 @@ class TestParallel : public QObject
         QCOMPARE(UsefulThreadCount(8, 249999), 1);
         QCOMPARE(UsefulThreadCount(8, 250000), 2);
         QCOMPARE(UsefulThreadCount(2, 100000000), 2);
+    }
+
+    /// Two loops lead from 0 to 50, the next one no farther than 60: each part brings its share.
+    void loopsLeadOn()
+    {
+        for (const int threads : {1, 3}) {
+            std::vector<int> told;
+            RunProgress run([&](int percent, const char*) {
+                told.push_back(percent);
+                return true;
+            });
+            const LoopPoll poll([&](int percent) { run.GoOn(percent); });
+            const StageProgress progress(std::ref(run));
+            const auto loop = [&](std::size_t parts) {
+                ParallelRanges(threads, parts, 1, [](std::size_t, std::size_t, int) {});
+            };
+            progress(0, "first", 50, 2);
+            loop(100);
+            QVERIFY(told.back() <= 25);
+            loop(3); // too short to count
+            loop(100);
+            progress(50, "second", 60);
+            loop(1000);
+            loop(1000);
+            QVERIFY(std::is_sorted(told.begin(), told.end()));
+            QVERIFY(told.back() < 60);
+            progress(40, "third"); // it does not go back
+            QCOMPARE(told.back(), std::max(50, told[told.size() - 2]));
+            if (threads > 1) continue; // whether the first thread gets a part is a matter of chance
+            for (std::size_t i = 1; i < told.size(); ++i) QVERIFY(told[i] - told[i - 1] <= 5);
+            QVERIFY(told.size() > 500);
+        }
+    }
+
+    /// One part of a scatter may be all of it.
+    void aScatterAsks()
+    {
+        int questions = 0;
+        const LoopPoll poll([&](int) {
+            if (++questions == 3) throw Cancelled();
+        });
+        std::vector<std::uint32_t> places(1 << 20);
+        const auto scatter = [&] {
+            StableScatter(
+                1, places.size(), 2, [](std::size_t i) { return i & 1; },
+                [&](std::size_t i, std::uint32_t place) { places[i] = place; });
+        };
+        QVERIFY_EXCEPTION_THROWN(scatter(), Cancelled);
+        QCOMPARE(questions, 3);
     }
 };
 

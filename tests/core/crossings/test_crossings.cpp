@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "analytic_meshes.h"
+#include "vcg_ext/core/measure/surface_distance.h"
 #include "vcg_ext/core/mesh/find_crossings.h"
 #include "vcg_ext/core/simplify.h"
 
@@ -74,6 +76,82 @@ IndexedMesh Soup()
         mesh.AddTriangle(3 * f, 3 * f + 1, 3 * f + 2);
     }
     return mesh;
+}
+
+/// Texture coordinates for two sheets of 60 x 60: each is cut into three by three charts along edges of the
+/// grid, and each chart has a square of the texture of its own, where the corners' places in the chart are.
+struct Charts {
+    const IndexedMesh& mesh;
+    std::vector<float> values{};
+    std::vector<std::int32_t> labels{};
+    vcg_ext::CornerAttributes attributes{};
+
+    explicit Charts(const IndexedMesh& sheets) : mesh(sheets)
+    {
+        for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+            Point centroid{0, 0, 0};
+            for (const std::uint32_t v : mesh.triangles[f])
+                for (std::size_t k = 0; k < 3; ++k) centroid[k] += mesh.points[v][k] / 3;
+            const int i = static_cast<int>(centroid[0] / 20), j = static_cast<int>(centroid[1] / 20);
+            labels.push_back(i + 3 * j + (2 * f < mesh.triangles.size() ? 0 : 9));
+            for (const std::uint32_t v : mesh.triangles[f]) {
+                values.push_back(static_cast<float>(mesh.points[v][0] / 20 - i + 2 * labels.back()));
+                values.push_back(static_cast<float>(mesh.points[v][1] / 20 - j));
+            }
+        }
+        attributes.kinds = {vcg_ext::ChannelKind::Texture, vcg_ext::ChannelKind::Texture};
+    }
+    vcg_ext::MeshView WithTexture()
+    {
+        attributes.values = values.data();
+        attributes.labels = labels.data();
+        vcg_ext::MeshView view = View(mesh);
+        view.attributes = &attributes;
+        return view;
+    }
+
+    /// Does every face of the result show the part of its own square where it is, and none of them mirrored?
+    /// \param apart how far the surfaces may be from each other, and so a corner from what it shows
+    bool AreKept(const Simplification& result, double apart) const
+    {
+        for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) {
+            const float* const uv = result.mesh.cornerValues.data() + 6 * f;
+            const int label = labels[result.mesh.faceOrigin[f]], chart = label % 9;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double u = uv[2 * k] - static_cast<float>(2 * label), v = uv[2 * k + 1];
+                const Point& p = result.mesh.positions[result.mesh.triangles[f][k]];
+                if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) return false;
+                if (!(std::hypot(20 * (u + chart % 3) - p[0], 20 * (v + chart / 3) - p[1]) <= apart))
+                    return false;
+            }
+            const float doubleArea = (uv[2] - uv[0]) * (uv[5] - uv[1]) - (uv[4] - uv[0]) * (uv[3] - uv[1]);
+            if (!(doubleArea > 0)) return false;
+        }
+        return result.mesh.cornerValues.size() == 6 * result.mesh.triangles.size();
+    }
+};
+
+/// The largest distance of the vertices, centers of edges and centroids of one mesh from the other, both
+/// ways, in percent of the original's diagonal.
+double LargestDistance(const IndexedMesh& original, const IndexedMesh& result)
+{
+    double largest = 0;
+    for (const auto& [from, to] : {std::pair{&original, &result}, std::pair{&result, &original}}) {
+        std::vector<Point> points;
+        for (const auto& t : from->triangles) {
+            const Point &a = from->points[t[0]], &b = from->points[t[1]], &c = from->points[t[2]];
+            Point middle{}, centroid{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                middle[k] = (a[k] + b[k]) / 2;
+                centroid[k] = (a[k] + b[k] + c[k]) / 3;
+            }
+            points.insert(points.end(), {a, middle, centroid});
+        }
+        const vcg_ext::MeshView view = View(*to);
+        const auto distances = vcg_ext::SurfaceDistance(view, 1).Of(points);
+        largest = std::max(largest, *std::max_element(distances.begin(), distances.end()));
+    }
+    return 100 * largest / (vcg_ext::kFrameDiagonal * vcg_ext::FrameOf(View(original)).unit);
 }
 
 DecimationParameters Percent(const IndexedMesh& mesh, double percent, Effort effort)
@@ -214,6 +292,47 @@ class TestCrossings : public QObject
         QVERIFY(result.report.certifiedError && *result.report.certifiedError <= 2);
         parameters.avoidSelfIntersections = false;
         QVERIFY(!CrossingsOf(MeshOf(Simplify(View(mesh), parameters))).empty());
+    }
+
+    /// What is repaired keeps its texture: flips take wedges along, and what moves stays in its square.
+    void textureIsKeptWhereFacesAreRepaired_data() { AddEfforts(); }
+    void textureIsKeptWhereFacesAreRepaired()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSheets();
+        Charts charts(mesh);
+        DecimationParameters parameters = Percent(mesh, 6, effort);
+        constexpr double kApart = 2;
+        const Simplification repaired = Simplify(charts.WithTexture(), parameters);
+        parameters.avoidSelfIntersections = false;
+        const Simplification plain = Simplify(charts.WithTexture(), parameters);
+        const std::size_t crossings = CrossingsOf(MeshOf(plain)).size();
+        QVERIFY2(crossings > 0 && crossings <= 20, qPrintable(QString::number(crossings)));
+        QVERIFY(repaired.mesh.vertexOrigin == plain.mesh.vertexOrigin); // of the same collapses
+        QVERIFY(repaired.mesh.positions != plain.mesh.positions);
+        QCOMPARE(CrossingsOf(MeshOf(repaired)).size(), std::size_t{0});
+        QVERIFY(charts.AreKept(repaired, kApart)); // the edges are three times as long
+    }
+
+    /// A bound, seams and no crossings at once, where the collapse has to be guarded.
+    void boundAndTextureAreKept_data() { AddEfforts(); }
+    void boundAndTextureAreKept()
+    {
+        QFETCH(Effort, effort);
+        const IndexedMesh mesh = TwoSheets();
+        Charts charts(mesh);
+        DecimationParameters parameters = Percent(mesh, 1, effort);
+        parameters.maxError = 2;
+        const Simplification result = Simplify(charts.WithTexture(), parameters);
+        QCOMPARE(CrossingsOf(MeshOf(result)).size(), std::size_t{0});
+        QVERIFY(result.report.selfIntersections == std::size_t{0});
+        constexpr double kApart = 20; // anywhere in the square: the faces are large, and lie off the original
+        QVERIFY(charts.AreKept(result, kApart));
+        QVERIFY(result.report.certifiedError && *result.report.certifiedError <= 2);
+        // by another way; the certificate has a frame of its own, which rounds by less than a millionth
+        QVERIFY(LargestDistance(mesh, MeshOf(result)) <= 1.000001 * *result.report.certifiedError);
+        parameters.avoidSelfIntersections = false;
+        QVERIFY(!CrossingsOf(MeshOf(Simplify(charts.WithTexture(), parameters))).empty());
     }
 
     void sameBytesForEveryNumberOfThreads_data() { AddEfforts(); }

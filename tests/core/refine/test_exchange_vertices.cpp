@@ -220,7 +220,7 @@ void TestExchangeVertices::threadsDoNotChangeAByte()
             RefinementState state = Begin(pair, threads);
             state.blockVertices = 20; // many seams
             RefinementReport report;
-            vcg_ext::RefineInRounds(state, threads, report, [](int) {});
+            vcg_ext::RefineInRounds(state, threads, report, [](double, double, int) {});
             vcg_ext::ImproveWorstStars(state, vcg_ext::TreeOf(pair.original, threads), threads);
             changes += report.exchanges;
             if (threads == 1) expected = Bytes(pair.simplified);

@@ -107,8 +107,9 @@ void ParallelFor(int threads, std::size_t items, const Body& body)
     if (threads <= 1 || items <= 1) {
         for (std::size_t item = 0; item < items; ++item) {
             body(item, 0);
-            LoopPoll::PartDone();
+            LoopPoll::PartDone(item + 1, items);
         }
+        LoopPoll::LoopDone(items);
         return;
     }
     std::atomic<std::size_t> next{0};
@@ -120,7 +121,7 @@ void ParallelFor(int threads, std::size_t items, const Body& body)
         for (std::size_t item; (item = next.fetch_add(1, std::memory_order_relaxed)) < items;) {
             try {
                 body(item, thread);
-                if (thread == 0) LoopPoll::PartDone(); // on the thread that called
+                if (thread == 0) LoopPoll::PartDone(item + 1, items); // on the thread that called
             } catch (...) {
                 next.store(items, std::memory_order_relaxed);
                 const std::lock_guard<std::mutex> lock(failureMutex);
@@ -129,6 +130,7 @@ void ParallelFor(int threads, std::size_t items, const Body& body)
         }
     });
     if (failure) std::rethrow_exception(failure);
+    LoopPoll::LoopDone(items);
 }
 
 /// Calls body(begin, end, thread) for consecutive ranges that cover [0, items), about \p grain long each.
@@ -177,10 +179,18 @@ std::vector<std::uint32_t> StableScatter(int threads, std::size_t items, std::si
 {
     const std::size_t parts = items < 4096 ? 1 : static_cast<std::size_t>(std::max(1, threads));
     const auto partBegin = [&](std::size_t part) { return items * part / parts; };
+    const auto forEachOf = [&](std::size_t part, int thread, const auto& visit) {
+        constexpr std::size_t kBetweenQuestions = std::size_t{1} << 16;
+        for (std::size_t i = partBegin(part); i < partBegin(part + 1);) {
+            const std::size_t end = std::min(partBegin(part + 1), i + kBetweenQuestions);
+            for (; i < end; ++i) visit(i);
+            if (thread == 0) LoopPoll::Ask(); // parts are long
+        }
+    };
     std::vector<std::uint32_t> place(parts * buckets, 0);
-    ParallelFor(threads, parts, [&](std::size_t part, int) {
+    ParallelFor(threads, parts, [&](std::size_t part, int thread) {
         std::uint32_t* count = place.data() + part * buckets;
-        for (std::size_t i = partBegin(part); i < partBegin(part + 1); ++i) ++count[bucketOf(i)];
+        forEachOf(part, thread, [&](std::size_t i) { ++count[bucketOf(i)]; });
     });
     std::vector<std::uint32_t> first(buckets + 1);
     std::uint32_t total = 0;
@@ -194,9 +204,9 @@ std::vector<std::uint32_t> StableScatter(int threads, std::size_t items, std::si
         }
     }
     first[buckets] = total;
-    ParallelFor(threads, parts, [&](std::size_t part, int) {
+    ParallelFor(threads, parts, [&](std::size_t part, int thread) {
         std::uint32_t* next = place.data() + part * buckets;
-        for (std::size_t i = partBegin(part); i < partBegin(part + 1); ++i) move(i, next[bucketOf(i)]++);
+        forEachOf(part, thread, [&](std::size_t i) { move(i, next[bucketOf(i)]++); });
     });
     return first;
 }

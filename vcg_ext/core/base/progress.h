@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <utility>
+
+#include "vcg_ext/core/base/loop_poll.h"
 
 namespace vcg_ext
 {
@@ -29,15 +32,17 @@ class RunProgress
     RunProgress(const RunProgress&) = delete;
     RunProgress& operator=(const RunProgress&) = delete;
 
+    /// It never goes back.
     bool operator()(int percent, const char* stage)
     {
-        percent_ = percent;
+        percent_ = std::max(percent_, percent);
         stage_ = stage;
-        return !caller_ || caller_(percent, stage);
+        return !caller_ || caller_(percent_, stage);
     }
-    /// Tells what it told last. \throws Cancelled where the caller asks to stop
-    void Repeat() const
+    /// The same stage goes on. \throws Cancelled where the caller asks to stop
+    void GoOn(int percent)
     {
+        percent_ = std::max(percent_, percent);
         if (caller_ && !caller_(percent_, stage_)) throw Cancelled();
     }
 };
@@ -62,9 +67,13 @@ class StageProgress
     }
 
     /// \throws Cancelled where the caller asks to stop
-    void operator()(int percent, const char* stage) const
+    void operator()(int percent, const char* stage) const { operator()(percent, stage, percent, 1); }
+    /// The same where the next \p loops parallel loops lead to \p until.
+    void operator()(int percent, const char* stage, int until, int loops = 1) const
     {
-        if (caller_ && !caller_(from_ + percent * (to_ - from_) / 100, stage)) throw Cancelled();
+        const auto ofAll = [&](int of) { return from_ + of * (to_ - from_) / 100; };
+        LoopPoll::LoopsLead(ofAll(percent), ofAll(until), loops);
+        if (caller_ && !caller_(ofAll(percent), stage)) throw Cancelled();
     }
 };
 

@@ -72,8 +72,15 @@ VCG_EXT_INLINE CollapsedSurface CollapseEngine::Extract() &&
 
 VCG_EXT_INLINE StopReason CollapseEngine::Collapse(std::size_t targetFaces)
 {
+    const auto percent = [](double way) {
+        return kReadingEnds + static_cast<int>(way * (100 - kReadingEnds));
+    };
+    double before = 0, step = 0.1; // of the way that a sweep goes; what the next one will go is a guess
     const auto report = [&](double way) {
-        progress_(kReadingEnds + static_cast<int>(way * (100 - kReadingEnds)), "Collapsing edges");
+        if (way > before) step = way - std::exchange(before, way);
+        constexpr double kOfLast = 0.6;
+        constexpr int kLoops = 2; // of a sweep that take their time
+        progress_(percent(way), "Collapsing edges", percent(std::min(1.0, way + kOfLast * step)), kLoops);
     };
     surface_.stopReason = schedule_.Run(targetFaces, report);
     surface_.trace = {schedule_.Steps(), static_cast<double>(state_.descriptorScale)};
@@ -90,10 +97,13 @@ VCG_EXT_INLINE SweepState& CollapseEngine::Start(const MeshView& view, const Dec
     state_.preserveTopology = parameters.preserveTopology;
     state_.sharedSeams = view.sharedSeams;
     state_.keepOriginal = kept.original;
-    progress_(0, "Reading the mesh");
+    progress_(0, "Reading the mesh", kReadingEnds / 2, 6);
     SweepLoader(view, state_, threads_).Load();
-    progress_(kReadingEnds / 2, "Computing the descriptor");
-    if (view.attributes != nullptr) LoadWedges(view, parameters);
+    progress_(kReadingEnds / 2, "Computing the descriptor", kReadingEnds * (view.attributes ? 3 : 4) / 4, 4);
+    if (view.attributes != nullptr) {
+        LoadWedges(view, parameters);
+        progress_(kReadingEnds * 3 / 4, "Computing the descriptor", kReadingEnds, 4);
+    }
     SweepStarter(view, state_, threads_, parameters.boundary, parameters.descriptorScale).Start();
     for (const std::uint8_t flags : state_.flags) state_.anyFixed |= (flags & kFixedVertex) != 0;
     surface_.frame = state_.frame;

@@ -167,17 +167,15 @@ double Largest2(const ExactSurface& to, std::size_t count, const PointAt& point,
 }
 
 /// \param origins for each simplified face one of the original that may be near it; may be empty
-/// \param first of the faces in the order of the tree that are looked at, up to \p last
 /// \param near2 squared distance within which most centroids are
 inline std::size_t CountFolded(const ExactSurface& original, const ExactSurface& simplified,
-                               const std::vector<std::uint32_t>& origins, std::size_t first, std::size_t last,
-                               double near2, int threads)
+                               const std::vector<std::uint32_t>& origins, double near2, int threads)
 {
     const Buffer<std::uint32_t>& order = simplified.Tree().Order();
-    std::vector<std::size_t> parts((last - first + kGrain - 1) / kGrain);
-    ParallelRanges(threads, last - first, kGrain, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<std::size_t> parts((order.size() + kGrain - 1) / kGrain);
+    ParallelRanges(threads, order.size(), kGrain, [&](std::size_t begin, std::size_t end, int) {
         ExactSurface::Search search;
-        for (std::size_t i = first + begin; i < first + end; ++i) {
+        for (std::size_t i = begin; i < end; ++i) {
             const std::size_t f = order[i];
             const Vector3<double> direction = simplified.AreaVector(f);
             const Vector3<double> centroid =
@@ -265,7 +263,9 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
                                        const StageProgress& progress = {})
 {
     using namespace distance_detail;
-    const auto reached = [&](int percent) { progress(percent, "Measuring distances"); };
+    const auto reached = [&](int percent, int until, int loops = 1) {
+        progress(percent, "Measuring distances", until, loops);
+    };
     std::vector<std::uint8_t> fixed;
     const MeshView result = ViewOf(simplified, original, fixed);
     const float slack = RoundingOf(original, result, tree.frame());
@@ -280,7 +280,7 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     const auto featureAt = [&](std::size_t i) { return from.Vertex(features[i]); };
     const auto resultVertexAt = [&](std::size_t i) { return to.Vertex(resultVertices[i]); };
 
-    reached(10);
+    reached(8, 28, 2);
     OneWay forward, backward, feature;
     double largest2 = 0;
     for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
@@ -288,22 +288,22 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
         MeasureBatch(from, batch, toSamples.size(), toSamples, threads, backward);
         largest2 = std::max({largest2, forward.largest2, backward.largest2});
         if (batch == 0) { // far fewer vertices are farther than some points
-            reached(25);
+            reached(28, 40);
             largest2 = Largest2(to, vertices.size(), vertexAt, largest2, threads);
-            reached(45);
+            reached(40, 84, 3);
             largest2 = Largest2(from, resultVertices.size(), resultVertexAt, largest2, threads);
             // The farthest point may lie inside a face: no sample is left out, though few are measured
             // exactly.
             largest2 = Largest2(to, fromSamples.size(), fromSamples, largest2, threads);
             largest2 = Largest2(from, toSamples.size(), toSamples, largest2, threads);
-            reached(55);
+            reached(84, 86, 2);
         }
         const double error2 = forward.StandardError2() + backward.StandardError2();
         if (IsPrecise(forward.MeanSquare() + backward.MeanSquare(), error2, largest2,
                       std::min(forward.count, backward.count)))
             break;
     }
-    reached(60);
+    reached(86, 96);
     for (std::size_t batch = 0; batch < kBatches.size(); ++batch) {
         MeasureBatch(to, batch, features.size(), featureAt, threads, feature);
         if (IsPrecise(feature.MeanSquare(), feature.StandardError2(), largest2, feature.count)) break;
@@ -315,13 +315,8 @@ inline DistanceReport MeasureDistances(const MeshView& original, const FaceTree&
     report.hausdorff = percent * std::sqrt(largest2);
     report.rms = percent * std::sqrt((forward.MeanSquare() + backward.MeanSquare()) / 2);
     report.featureRms = percent * std::sqrt(feature.MeanSquare());
-    constexpr std::size_t kParts = 4; // for the progress
-    for (std::size_t part = 0; part < kParts; ++part) {
-        reached(static_cast<int>(65 + 35 * part / kParts));
-        report.folded +=
-            CountFolded(from, to, simplified.faceOrigin, simplifiedTree.Order().size() * part / kParts,
-                        simplifiedTree.Order().size() * (part + 1) / kParts, largest2, threads);
-    }
+    reached(96, 100);
+    report.folded = CountFolded(from, to, simplified.faceOrigin, largest2, threads);
     return report;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/first_equal.h"
@@ -38,30 +39,45 @@ inline std::uint32_t KeyOf(const MeshView& view, std::size_t vertex)
     return view.vertexKeys ? view.vertexKeys[vertex] : 0;
 }
 
+/// Of every vertex whether it is an end of an edge that is there once. \param edges with the lower end first
+inline std::vector<bool> EndsOfSingles(std::vector<std::uint64_t> edges, std::size_t vertices)
+{
+    constexpr std::size_t kVertices = std::size_t{1} << 14; // whose edges are sorted between two questions
+    std::vector<std::uint64_t> sorted(edges.size());
+    const auto first = StableScatter(
+        1, edges.size(), vertices / kVertices + 1,
+        [&](std::size_t i) { return (edges[i] >> 32U) / kVertices; },
+        [&](std::size_t i, std::uint32_t place) { sorted[place] = edges[i]; });
+    std::vector<bool> found(vertices);
+    ParallelFor(1, first.size() - 1, [&](std::size_t bucket, int) {
+        const auto end = sorted.begin() + first[bucket + 1];
+        auto at = sorted.begin() + first[bucket];
+        std::sort(at, end);
+        while (at != end) {
+            const auto next = std::upper_bound(at, end, *at);
+            if (next - at == 1) found[*at >> 32U] = found[*at & 0xffffffffU] = true;
+            at = next;
+        }
+    });
+    return found;
+}
+
 /// Of every vertex whether it is an end of an edge of one face. \param among only edges with such an end
 /// count; empty: all
 inline std::vector<bool> OnBorder(const MeshView& view, const std::vector<bool>& among)
 {
+    constexpr std::size_t kFaces = std::size_t{1} << 14; // between two questions
     std::vector<std::uint64_t> edges;
-    for (std::size_t f = 0; f < view.faceCount; ++f) {
-        const std::uint32_t* v = view.triangles + 3 * f;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = std::min(v[k], v[(k + 1) % 3]), b = std::max(v[k], v[(k + 1) % 3]);
-            if (among.empty() || among[a] || among[b]) edges.push_back(std::uint64_t{a} << 32U | b);
+    ParallelRanges(1, view.faceCount, kFaces, [&](std::size_t begin, std::size_t last, int) {
+        for (std::size_t f = begin; f < last; ++f) {
+            const std::uint32_t* v = view.triangles + 3 * f;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = std::min(v[k], v[(k + 1) % 3]), b = std::max(v[k], v[(k + 1) % 3]);
+                if (among.empty() || among[a] || among[b]) edges.push_back(std::uint64_t{a} << 32U | b);
+            }
         }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<bool> border(view.vertexCount);
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i + 1;
-        while (end < edges.size() && edges[end] == edges[i]) ++end;
-        if (end - i == 1) {
-            border[edges[i] >> 32U] = true;
-            border[edges[i] & 0xffffffffU] = true;
-        }
-        i = end;
-    }
-    return border;
+    });
+    return EndsOfSingles(std::move(edges), view.vertexCount);
 }
 
 /// Vertices by cells of a grid, for those within a distance that is the side of a cell.

@@ -12,6 +12,7 @@
 
 #include "vcg_ext/core/base/buffer.h"
 #include "vcg_ext/core/base/float4.h"
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/geometry/point_triangle.h"
 #include "vcg_ext/core/mesh/face_tree.h"
@@ -132,11 +133,14 @@ inline void SearchFarSamples(const SurfaceArrays& simplified, Buffer<Sample>& sa
 /// little is removed. \p place is a permutation, and used up.
 inline void PutInPlace(Buffer<Sample>& samples, Buffer<std::uint32_t>& place)
 {
+    constexpr std::size_t kBetweenQuestions = std::size_t{1} << 16; // swaps: one cycle may be all of them
+    std::size_t swaps = 0;
     for (std::uint32_t i = 0; i < place.size(); ++i)
         while (place[i] != i) {
             const std::uint32_t to = place[i];
             std::swap(samples[i], samples[to]);
             std::swap(place[i], place[to]);
+            if (++swaps % kBetweenQuestions == 0) LoopPoll::Ask();
         }
 }
 

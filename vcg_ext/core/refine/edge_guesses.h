@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/base/buffer.h"
@@ -83,14 +84,20 @@ class EdgeGuesses
         const std::size_t vertices = state.simplified.VertexCount();
         std::vector<Lists> parts((vertices + kGrain - 1) / kGrain);
         ParallelRanges(threads, vertices, kGrain, [&](std::size_t begin, std::size_t end, int) {
+            Lists& part = parts[begin / kGrain];
             for (std::size_t v = begin; v < end; ++v)
-                AddEdgesAt(state, quadrics, static_cast<std::uint32_t>(v), parts[begin / kGrain]);
+                AddEdgesAt(state, quadrics, static_cast<std::uint32_t>(v), part);
+            part.collapses.shrink_to_fit(); // where little is removed they are the peak of memory
+            part.divisions.shrink_to_fit();
         });
         std::size_t edges = 0;
-        for (const Lists& part : parts) {
-            edges += part.edges;
-            collapses.insert(collapses.end(), part.collapses.begin(), part.collapses.end());
-            divisions.insert(divisions.end(), part.divisions.begin(), part.divisions.end());
+        for (const Lists& part : parts) edges += part.edges;
+        collapses.reserve(edges);
+        divisions.reserve(edges);
+        for (Lists& part : parts) {
+            const Lists here = std::move(part); // and gone afterward
+            collapses.insert(collapses.end(), here.collapses.begin(), here.collapses.end());
+            divisions.insert(divisions.end(), here.divisions.begin(), here.divisions.end());
         }
         const auto count = static_cast<std::size_t>(kMeasuredEdges * static_cast<double>(edges)) + 1;
         KeepLeast(collapses, count);

@@ -34,7 +34,7 @@ struct RenewedPlaces {
 struct RefinementReport {
     std::size_t samples = 0;
     double rmsBefore = 0; ///< of the samples of the original to the simplified surface, weighted
-    double rmsAfter = 0;
+    double rmsAfter = 0;  ///< the same after all moves and flips, before the check takes any of them back
     std::size_t exchanges = 0;
     std::size_t flips = 0;
     std::size_t moves = 0;

@@ -68,21 +68,24 @@ inline RefinementState BeginRefinement(const SurfaceArrays& original, SurfaceArr
 }
 
 /// One pass of flips and a few of moves, and a check of what they have done.
-/// \param reached called with the percentage that is done; may throw
+/// \param reached called with the percentage that is done, and the one that the next loop leads to; may throw
 template <class Reached>
 void RefineInPasses(RefinementState& state, const RefinementParameters& parameters, int threads,
                     RefinementReport& report, const Reached& reached)
 {
+    constexpr int kMovesBegin = 32, kMovesEnd = 78; // percent of the time, roughly
     const SurfaceBefore before(state.simplified);
     if (parameters.flip) report.flips = FlipEdges(state, threads);
     for (int sweep = 0; sweep < parameters.moveSweeps; ++sweep) {
-        reached(40 + 60 * sweep / parameters.moveSweeps);
+        reached(kMovesBegin + (kMovesEnd - kMovesBegin) * sweep / parameters.moveSweeps,
+                kMovesBegin + (kMovesEnd - kMovesBegin) * (sweep + 1) / parameters.moveSweeps);
         const std::size_t moves = MoveVertices(state, threads);
         report.moves += moves;
         ++report.sweeps;
         if (moves == 0) break;
     }
     report.rmsAfter = std::sqrt(MeanSquare(state.samples));
+    reached(kMovesEnd, 100, 4);
     report.takenBack = TakeBackWorse(state, before, threads);
 }
 
@@ -109,8 +112,11 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
     RefinementReport report;
     if (original.FaceCount() == 0 || simplified.FaceCount() == 0) return report;
     const int threads = ResolveThreads(parameters.threads);
-    const auto reached = [&](int percent) { parameters.progress(percent, "Refining"); };
-    reached(0);
+    const auto reached = [&](int percent, int until, int loops = 1) {
+        parameters.progress(percent, "Refining", until, loops);
+    };
+    const int begins = parameters.exchange ? 3 : 20; // when the samples are there
+    reached(0, begins, 3);
     if (parameters.exchange)
         MakeRoomForCorners(simplified, kExchangeRoom);
     else if (parameters.flip)
@@ -124,15 +130,21 @@ inline RefinementReport Refine(const SurfaceArrays& original, SurfaceArrays& sim
         !(std::sqrt(static_cast<double>(state.farthest2)) > kFlatDistance * faceSize))
         return report;
 
-    reached(20);
     if (parameters.exchange) {
-        RefineInRounds(state, threads, report, [&](int rounds) { reached(20 + 70 * rounds / kRounds); });
-        reached(90);
+        constexpr int kRoundsEnd = 97;
+        const auto inRounds = [&](double way) {
+            return begins + static_cast<int>(way * (kRoundsEnd - begins));
+        };
+        RefineInRounds(state, threads, report, [&](double way, double until, int loops) {
+            reached(inRounds(way), inRounds(until), loops);
+        });
+        reached(kRoundsEnd, 100, 3);
         report.worst = ImproveWorstStars(state, TreeOf(original, threads), threads);
         report.renewed = PlacesOfRenewed(state);
         report.rmsAfter = std::sqrt(MeanSquare(state.samples));
         return report;
     }
+    reached(begins, 32);
     RefineInPasses(state, parameters, threads, report, reached);
     return report;
 }

@@ -48,7 +48,8 @@ inline RenewedPlaces PlacesOfRenewed(const RefinementState& state)
 }
 
 /// Rounds of exchanges, flips and moves; from the second one on flips and moves only near what has changed.
-/// They end where a round gains little. \param reached called with the number of rounds done; may throw
+/// They end where a round gains little. \param reached called with the part of the way that is done, the one
+/// that the next loops lead to, and how many they are; may throw
 template <class Reached>
 void RefineInRounds(RefinementState& state, int threads, RefinementReport& report, const Reached& reached)
 {
@@ -62,17 +63,27 @@ void RefineInRounds(RefinementState& state, int threads, RefinementReport& repor
     float valenceWeight = kValenceWeight;
     double meanSquare = static_cast<double>(state.meanSquare);
     for (int round = 0; round < kRounds; ++round) {
-        reached(round);
+        // Without exchanges a round takes half of the time.
+        constexpr double kAll = (kExchangeRounds + kRounds) / 2.0;
+        const auto at = [&](double part) {
+            const bool exchanged = round < kExchangeRounds;
+            return (exchanged ? round + part : (round + kExchangeRounds + part) / 2) / kAll;
+        };
+        constexpr double kExchangesEnd = 0.7, kFlipsEnd = 0.75;
+        reached(at(0), at(kExchangesEnd), 7);
         const auto update = [&] {
             if (round > 0) active.Update(surface, state.changed, kMovedLately | kNewFaces, threads);
         };
         if (round < kExchangeRounds) report.exchanges += exchanges.Run(hasNewFaces);
         update();
         state.valenceWeight = round < kRounds - kRoundsWithoutValence ? valenceWeight : 0;
+        reached(at(kExchangesEnd), at(kFlipsEnd), 1);
         report.flips += FlipEdges(state, threads, active);
         update();
         hasNewFaces.Update(surface, state.changed, kNewFaces, threads);
         for (int sweep = 0; sweep < 2; ++sweep) {
+            const double begins = kFlipsEnd + (1 - kFlipsEnd) / 2 * sweep;
+            reached(at(begins), at(begins + (1 - kFlipsEnd) / 2), 1);
             std::fill(state.changed.begin(), state.changed.end(), std::uint8_t{0});
             report.moves += MoveVertices(state, threads, active);
             ++report.sweeps;
