@@ -5,6 +5,7 @@
 import re
 import subprocess
 import sys
+from math import ceil
 from pathlib import Path
 
 import pytest
@@ -58,7 +59,7 @@ def _sum(*lists: dict[str, float]) -> float:
 def _line(*stages: tuple[float, float]) -> tuple[int, int]:
     """The least line, of a + b x share left, that is nowhere below one of the stages."""
     at_zero, at_one = max(a for a, _ in stages), max(a + b for a, b in stages)
-    return round(at_zero + 0.5), round(at_one - at_zero + 0.5)
+    return ceil(at_zero), ceil(at_one - at_zero)
 
 
 BOUNDS = {

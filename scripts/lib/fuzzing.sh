@@ -11,11 +11,9 @@ ensure_fuzzing() { ensure_more fuzzing "Python package that fuzzes" "$fuzzing_re
 
 # fuzz TARGET MINUTES: from its seeds and what earlier nights have learned. Fails where something is found.
 fuzz() {
-    local scratch status=0
     scratch=$(mktemp -d -p "$([[ -w /dev/shm ]] && echo /dev/shm || echo "${TMPDIR:-/tmp}")")
-    TMPDIR=$scratch run_fuzzer "$@" || status=$?
-    rm -rf "$scratch"
-    return "$status"
+    trap 'rm -rf "$scratch"' EXIT # of the subshell of the step
+    TMPDIR=$scratch run_fuzzer "$@"
 }
 
 # run_fuzzer TARGET MINUTES: the same with $TMPDIR for its files, which may remain there.

@@ -87,7 +87,7 @@ inline std::vector<Simplification> RunChain(const MeshView& view, const Decimati
                                             const std::vector<Level>& levels)
 {
     const int threads = ResolveThreads(parameters.threads);
-    const PipelineStages stages = StagesOfSweeps(parameters.effort, view.attributes != nullptr);
+    const PipelineStages stages = StagesOfSweeps(parameters, view.attributes != nullptr);
     RunProgress caller(parameters.progress);
     const StageProgress progress{std::ref(caller)};
     const LoopPoll poll([&](int percent) { caller.GoOn(percent); });

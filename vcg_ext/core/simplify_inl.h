@@ -41,11 +41,12 @@ VCG_EXT_INLINE CollapsedSurface SweepCollapse::Run(const MeshView& view, const K
 }
 
 /// \param attributes they are to be transferred and measured
-inline PipelineStages StagesOfSweeps(Effort effort, bool attributes)
+inline PipelineStages StagesOfSweeps(const DecimationParameters& parameters, bool attributes)
 {
-    PipelineStages stages = StagesOf(effort);
+    PipelineStages stages = StagesOf(parameters.effort);
     stages.guardsCrossings = true;
-    if (effort == Effort::Best) { // rounds of exchanges take most of the time
+    if (stages.exchange && !attributes &&
+        !(parameters.maxError > 0)) { // rounds of exchanges take most of the time
         stages.collapseEnds = 12;
         stages.repairBegins = 86;
         stages.crossingsBegin = 88;
@@ -64,7 +65,7 @@ inline PipelineStages StagesOfSweeps(Effort effort, bool attributes)
 
 VCG_EXT_INLINE Simplification RunSweeps(const MeshView& view, const DecimationParameters& parameters)
 {
-    PipelineStages stages = StagesOfSweeps(parameters.effort, view.attributes != nullptr);
+    PipelineStages stages = StagesOfSweeps(parameters, view.attributes != nullptr);
     std::optional<BoundKeeper> bound;
     if (parameters.maxError > 0)
         stages.bound = &bound.emplace(view, parameters.maxError, ResolveThreads(parameters.threads));

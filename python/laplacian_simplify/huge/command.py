@@ -11,7 +11,7 @@ from typing import Any
 
 from ..file_arguments import check_report_name
 from ..files.errors import printable
-from ..files.staging import check_target, staged_output
+from ..files.staging import check_target, staged_output, write_staged
 from ..following import bar_of_steps, on_a_terminal
 from ..options import as_option
 from ..streams import say, show, write_out
@@ -56,7 +56,7 @@ def _show(options: argparse.Namespace, report: HugeReport) -> None:
         write_out(text.encode())
     elif options.json:
         with staged_output(options.json) as staged:
-            staged.write_text(text, encoding="utf-8")
+            write_staged(staged, text, printable(options.json))
 
 
 @contextmanager

@@ -71,6 +71,21 @@ class TestParallel : public QObject
         }
     }
 
+    /// One that fails begins no other item.
+    void noItemIsBegunAfterAnException()
+    {
+        for (const int threads : {2, 7}) {
+            std::atomic<int> begun{0};
+            QVERIFY_EXCEPTION_THROWN(ParallelFor(threads, 100,
+                                                 [&](std::size_t, int) {
+                                                     ++begun;
+                                                     throw std::runtime_error("each");
+                                                 }),
+                                     std::runtime_error);
+            QVERIFY(begun <= threads);
+        }
+    }
+
     void anExceptionArrivesAfterWhatWasBegunIsDone()
     {
         for (const int threads : {2, 7}) {

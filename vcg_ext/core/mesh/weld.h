@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "vcg_ext/core/base/first_equal.h"
+#include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 
@@ -155,12 +156,14 @@ inline std::vector<std::uint32_t> WeldedVertices(const MeshView& view, double di
     const std::vector<bool> border = OnBorder(view, doubled);
     const auto isFixed = [&](std::uint32_t v) { return view.fixedVertices && view.fixedVertices[v]; };
     std::vector<std::uint32_t> weld(view.vertexCount), takes(view.vertexCount, ~0U);
+    constexpr std::uint32_t kVertices = 4096; // between two questions
     VertexGrid grid(distance);
     bool any = false;
     for (const bool fixed : {true, false}) { // fixed vertices are there first
         for (std::uint32_t v = 0; v < view.vertexCount; ++v) {
             if (isFixed(v) != fixed) continue;
             weld[v] = v;
+            if (v % kVertices == 0) LoopPoll::Ask();
             if (!border[v] || !(distance > 0 || doubled[v])) continue;
             if (distance > 0) {
                 if (!fixed) weld[v] = grid.LowestNear(view, v);
