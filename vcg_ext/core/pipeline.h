@@ -63,6 +63,16 @@ inline std::optional<FaceTree> TreeOf(const MeshView& original, const DecimatedM
     return std::make_optional<FaceTree>(original, FrameOf(ViewOf(mesh, original, fixed)), threads, faceOrder);
 }
 
+/// What is said of a run that was cancelled.
+inline Simplification CancelledRun(const MeshView& view)
+{
+    Simplification result;
+    result.mesh.stopReason = result.report.stopReason = StopReason::Cancelled;
+    result.report.facesBefore = result.report.faces = view.faceCount;
+    result.report.vertices = view.vertexCount;
+    return result;
+}
+
 /// The way from a mesh to its simplification, the same for every collapse:
 ///
 ///     descriptor and weights -> collapse -> refinement -> fold repair -> crossings -> attributes

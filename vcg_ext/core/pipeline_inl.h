@@ -288,16 +288,6 @@ inline Simplification ResultOf(PipelineRun& run, CrossingKeeper& keeper, std::si
     return result;
 }
 
-/// What is said of a run that was cancelled.
-inline Simplification CancelledRun(const MeshView& view)
-{
-    Simplification result;
-    result.mesh.stopReason = result.report.stopReason = StopReason::Cancelled;
-    result.report.facesBefore = result.report.faces = view.faceCount;
-    result.report.vertices = view.vertexCount;
-    return result;
-}
-
 VCG_EXT_INLINE Simplification RunPipeline(const MeshView& view, const DecimationParameters& parameters,
                                           const PipelineStages& stages, const CollapseStage& collapse)
 {

@@ -116,13 +116,13 @@ struct Charts {
     {
         for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) {
             const float* const uv = result.mesh.cornerValues.data() + 6 * f;
-            const int label = labels[result.mesh.faceOrigin[f]], chart = label % 9;
+            const int label = labels[result.mesh.faceOrigin[f]];
+            const int column = label % 9 % 3, row = label % 9 / 3; // of the chart
             for (std::size_t k = 0; k < 3; ++k) {
                 const double u = uv[2 * k] - static_cast<float>(2 * label), v = uv[2 * k + 1];
                 const Point& p = result.mesh.positions[result.mesh.triangles[f][k]];
                 if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) return false;
-                if (!(std::hypot(20 * (u + chart % 3) - p[0], 20 * (v + chart / 3) - p[1]) <= apart))
-                    return false;
+                if (!(std::hypot(20 * (u + column) - p[0], 20 * (v + row) - p[1]) <= apart)) return false;
             }
             const float doubleArea = (uv[2] - uv[0]) * (uv[5] - uv[1]) - (uv[4] - uv[0]) * (uv[3] - uv[1]);
             if (!(doubleArea > 0)) return false;
