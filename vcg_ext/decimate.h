@@ -18,6 +18,7 @@
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/mesh_attributes.h"
 #include "vcg_ext/ordered/decimate.h"
+#include "vcg_ext/wedge_normals.h"
 
 namespace vcg_ext
 {
@@ -68,6 +69,9 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
     const CornerAttributes* const corners = attributes ? attributes->Corners() : nullptr;
     const bool ignored = corners && parameters.order == Order::Strict;
     if (!ignored) view.attributes = corners;
+    std::optional<MeshNormals<Mesh>> normals;
+    if (parameters.keepAttributes && parameters.order == Order::Sweeps)
+        normals.emplace(mesh, parameters.cleanInput).AddTo(view);
     std::vector<std::uint32_t> keys;
     if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
     if (!keys.empty()) view.vertexKeys = keys.data();
@@ -78,7 +82,7 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
         const auto& cleaning = result.report.cleaning;
         const bool doubled = cleaning && cleaning->weldedVertices > 0;
         results.push_back({std::move(result), {}, ignored});
-        if (!view.attributes) continue;
+        if (!view.attributes && results.back().mesh.cornerSides.empty()) continue;
         results.back().attributes = attributes->Layout();
         results.back().attributes.doubledVertices = doubled;
     }

@@ -119,7 +119,7 @@ class TestHardNormals : public QObject
     /// One that is smooth is none, and the run is the one without normals, byte by byte.
     void aSmoothEdgeIsNoSeam()
     {
-        const Shaded sheet = BentSheet(10);
+        const Shaded sheet = BentSheet(25);
         const Simplification result = Simplify(sheet.View(), Target(40));
         QVERIFY(!result.report.attributes && result.mesh.cornerSides.empty());
         const DecimatedMesh plain = Simplify(test_meshes::View(sheet.mesh), Target(40)).mesh;
@@ -142,6 +142,32 @@ class TestHardNormals : public QObject
             ends = ends || (sides.size() == 1 && std::fabs(p[0] - 0.5) < kRounding && p[1] > kRounding);
         }
         QVERIFY(starts && ends);
+    }
+
+    /// Other seams are smooth where their normals are: on either side of that of a label the surface is the
+    /// same side, also where the hard edge crosses it.
+    void otherSeamsAreSmooth()
+    {
+        const Shaded sheet = BentSheet(40);
+        std::vector<std::int32_t> labels;
+        for (const auto& t : sheet.mesh.triangles) {
+            double y = 0;
+            for (const std::uint32_t v : t) y += sheet.mesh.points[v][1];
+            labels.push_back(y > 1.5 ? 1 : 0);
+        }
+        CornerAttributes attributes;
+        attributes.labels = labels.data();
+        MeshView view = sheet.View();
+        view.attributes = &attributes;
+        const Simplification result = Simplify(view, Target(40));
+        QCOMPARE(result.report.attributes->charts, std::size_t{4});
+        std::size_t onLabels = 0;
+        for (const auto& [v, sides] : SidesOf(result.mesh)) {
+            const Point& p = result.mesh.positions[v];
+            onLabels += std::fabs(p[1] - 0.5) < kRounding;
+            QCOMPARE(sides.size(), std::size_t{std::fabs(p[0] - 0.5) < kRounding ? 2U : 1U});
+        }
+        QVERIFY(onLabels >= 3);
     }
 
     /// Vertices that were doubled for the sake of their normals meet again, and their edge is a seam.

@@ -24,9 +24,9 @@ namespace vcg_ext
 class SideFinder
 {
     static constexpr std::size_t kGrain = 4096;
-    /// Cosine of 15 degrees: a fold that nobody shades as a hard one, and what normals of a rounded surface
-    /// are apart where they were computed on either side of a cut.
-    static constexpr float kSmooth = 0.9659258F;
+    /// Cosine of 30 degrees. Programs that shade by angle call more than that hard; and normals that were
+    /// computed on either side of a cut through a smooth surface are apart by less.
+    static constexpr float kSmooth = 0.8660254F;
 
     const MeshView& view_;
     const std::vector<Vector3<float>>& normals_; ///< of every corner
