@@ -30,13 +30,6 @@ class MeshNormals
         for (int k = 0; k < 3; ++k) to.push_back(static_cast<float>(normal[k]));
     }
 
-    /// Is nearly every corner a vertex of its own? Then the normals are those of faces, and say nothing.
-    static bool IsSoup(const Mesh& mesh)
-    {
-        constexpr double kOwnVertices = 2.4; // a face, of 3
-        return static_cast<double>(mesh.vn) > kOwnVertices * static_cast<double>(mesh.fn);
-    }
-
   public:
     /// \param welds vertices may be welded: only then those that they have say something
     MeshNormals(const Mesh& mesh, bool welds)
@@ -44,7 +37,7 @@ class MeshNormals
         if (vcg::tri::HasPerWedgeNormal(mesh)) {
             for (const auto& face : mesh.face)
                 for (int k = 0; k < 3 && !face.IsD(); ++k) Add(face.cWN(k), ofCorners_);
-        } else if (welds && vcg::tri::HasPerVertexNormal(mesh) && !IsSoup(mesh)) {
+        } else if (welds && vcg::tri::HasPerVertexNormal(mesh)) {
             for (const auto& vertex : mesh.vert) Add(vertex.cN(), ofVertices_);
         }
     }

@@ -29,11 +29,10 @@ namespace
 
 class ShadedVertex;
 class ShadedFace;
-struct ShadedTypes
-    : vcg::UsedTypes<vcg::Use<ShadedVertex>::AsVertexType, vcg::Use<ShadedFace>::AsFaceType> {
+struct ShadedTypes : vcg::UsedTypes<vcg::Use<ShadedVertex>::AsVertexType, vcg::Use<ShadedFace>::AsFaceType> {
 };
-class ShadedVertex : public vcg::Vertex<ShadedTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
-                                        vcg::vertex::BitFlags>
+class ShadedVertex
+    : public vcg::Vertex<ShadedTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::BitFlags>
 {
 };
 class ShadedFace : public vcg::Face<ShadedTypes, vcg::face::VertexRef, vcg::face::Normal3f,
@@ -48,8 +47,8 @@ class PlainVertex;
 class PlainFace;
 struct PlainTypes : vcg::UsedTypes<vcg::Use<PlainVertex>::AsVertexType, vcg::Use<PlainFace>::AsFaceType> {
 };
-class PlainVertex : public vcg::Vertex<PlainTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
-                                       vcg::vertex::BitFlags>
+class PlainVertex
+    : public vcg::Vertex<PlainTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::BitFlags>
 {
 };
 class PlainFace : public vcg::Face<PlainTypes, vcg::face::VertexRef, vcg::face::BitFlags>

@@ -39,7 +39,8 @@ template <class Run>
 auto OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run)
 {
     if (!parameters.cleanInput) {
-        const SidedInput sided(view, view, [](std::uint32_t face) { return face; }, parameters.threads);
+        const SidedInput sided(
+            view, view, [](std::uint32_t face) { return face; }, parameters.threads);
         return run(sided.View());
     }
     const CleanedInput clean(view, WeldDistance(view, parameters), parameters.threads);

@@ -25,7 +25,7 @@ def _complete(mesh: Any, options: ArrayOptions, quality: bool) -> ArrayOptions:
 
 
 def _attributes(mesh: Any) -> Attributes:
-    vertex: dict[str, Array] = {}
+    vertex: dict[str, Array] = {"normals": mesh.vertex_normal_matrix()}
     corner: dict[str, Array] = {}
     labels = None
     if mesh.has_vertex_scalar():
@@ -45,6 +45,7 @@ def _attributes(mesh: Any) -> Attributes:
 def _build(mesh: Any, result: Simplified) -> Any:
     data: dict[str, Any] = {"vertex_matrix": result.vertices, "face_matrix": result.faces}
     for name, values, parameter in (
+        ("normals", result.vertex_attributes, "v_normals_matrix"),
         ("scalar", result.vertex_attributes, "v_scalar_array"),
         ("color", result.vertex_attributes, "v_color_matrix"),
         ("vertex uv", result.vertex_attributes, "v_tex_coords_matrix"),

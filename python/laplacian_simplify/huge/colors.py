@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..attributes import Attributes, Channels
+from ..attributes import Attributes, Channels, Small
 from ..library import MeshArrays, Outcome, run
 from .array_file import Array
 
@@ -82,7 +82,7 @@ def run_with_colors(
         old, faces = channels.split(faces, values, len(origin))
         origin = origin[old]
         outcome = replace(outcome, vertices=outcome.vertices[old], faces=faces, vertex_origin=origin)
-    results = channels.results(values, origin, outcome.face_origin, faces)
+    results = channels.results(values, origin, outcome.face_origin, Small(outcome.vertices, faces, None))
     return outcome, results["vertex_attributes"][_NAME]
 
 

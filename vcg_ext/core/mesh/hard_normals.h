@@ -91,7 +91,8 @@ class SideFinder
         std::size_t count = 0;
         std::uint32_t first = begin; // that has a normal
         while (first < end && !SaysSomething(corners_[first])) ++first;
-        const std::uint32_t ofOthers = first < end ? side(first) : static_cast<std::uint32_t>(corners_.size());
+        const std::uint32_t ofOthers =
+            first < end ? side(first) : static_cast<std::uint32_t>(corners_.size());
         for (std::uint32_t i = begin; i < end; ++i) {
             if (!SaysSomething(corners_[i])) side(i) = ofOthers;
             count += side(i) == corners_[i];
@@ -123,12 +124,13 @@ class SidedInput
     {
         // Without a weld a vertex has one normal.
         const bool welded = view.triangles != input.triangles;
-        if (!input.cornerNormals && !(input.vertexNormals && welded)) return;
+        if (!input.cornerNormals && !(input.vertexNormals && welded && !IsSoup(input))) return;
         std::vector<Vector3<float>> normals(3 * view.faceCount);
         for (std::size_t i = 0; i < normals.size(); ++i) {
             const std::size_t corner = 3 * std::size_t{faceOrigin(static_cast<std::uint32_t>(i / 3))} + i % 3;
-            const float* n = input.cornerNormals ? input.cornerNormals + 3 * corner
-                                                 : input.vertexNormals + 3 * input.triangles[corner];
+            const float* n = input.cornerNormals
+                                 ? input.cornerNormals + 3 * corner
+                                 : input.vertexNormals + std::size_t{3} * input.triangles[corner];
             normals[i] = {n[0], n[1], n[2]};
         }
         sides_ = SideFinder(view, normals).Find(UsefulThreadCount(threads, view.faceCount));
@@ -141,6 +143,21 @@ class SidedInput
     SidedInput& operator=(const SidedInput&) = delete;
 
     const MeshView& View() const { return view_; }
+
+  private:
+    /// Is nearly every corner a vertex of its own? Then normals of vertices are those of faces, and say
+    /// nothing.
+    static bool IsSoup(const MeshView& view)
+    {
+        constexpr std::size_t kOfTwenty = 16; // of 3 vertices a face: 2.4
+        std::vector<bool> used(view.vertexCount);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < 3 * view.faceCount; ++i) {
+            count += !used[view.triangles[i]];
+            used[view.triangles[i]] = true;
+        }
+        return 20 * count > kOfTwenty * 3 * view.faceCount;
+    }
 };
 
 } // namespace vcg_ext
