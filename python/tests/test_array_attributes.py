@@ -5,7 +5,7 @@
 import numpy as np
 import pytest
 from array_meshes import wave
-from attribute_meshes import affine, cells_of, open_edges, sheet, side_of, textured_box
+from attribute_meshes import affine, cells_of, open_edges, shaded_box, sheet, side_of, textured_box
 
 import laplacian_simplify as ls
 
@@ -267,18 +267,9 @@ def test_faces_out_of_range_are_refused_with_attributes_too() -> None:
         ls.simplify(V, (F - 1).astype("u4"), target_faces=5, vertex_attributes={"uv": UV})
 
 
-def _shaded_box() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The box with vertices of its own on every side, and normals of those: hard edges."""
-    vertices, faces, _ = textured_box()
-    corners = vertices[faces]
-    normals = np.zeros_like(vertices)
-    for k in range(3):
-        np.add.at(normals, faces[:, k], np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    return vertices, faces, normals / np.linalg.norm(normals, axis=1, keepdims=True)
-
 
 def test_hard_normals_of_vertices_stay_hard() -> None:
-    vertices, faces, normals = _shaded_box()
+    vertices, faces, normals = shaded_box()
     given = {"normals": normals.astype(np.float32)}
     result = ls.simplify(vertices, faces, target_percent=10, vertex_attributes=given)
     found = result.vertex_attributes["normals"]
@@ -296,7 +287,7 @@ def test_hard_normals_of_vertices_stay_hard() -> None:
 
 
 def test_hard_normals_of_corners_need_no_doubled_vertices() -> None:
-    vertices, faces, normals = _shaded_box()
+    vertices, faces, normals = shaded_box()
     places, place = np.unique(vertices, axis=0, return_inverse=True)
     given = {"normals": normals[faces]}
     result = ls.simplify(places, place.reshape(-1)[faces], target_percent=10, corner_attributes=given)
@@ -306,7 +297,7 @@ def test_hard_normals_of_corners_need_no_doubled_vertices() -> None:
     corners, side = result.vertices[result.faces], side_of(result.vertices[result.faces])
     ends = corners.reshape(-1, 3)
     edge = (np.abs(np.abs(ends).max(axis=1) - np.sort(np.abs(ends), axis=1)[:, 1]) < 1e-9).reshape(-1, 3)
-    assert edge.sum() > 50
+    assert edge.sum() > 20
     axis = (side % 3)[:, None]
     along = np.take_along_axis(found, np.repeat(axis[:, None], 3, axis=1), axis=2)[..., 0]
     assert (along[edge] * np.where(side < 3, 1, -1)[:, None].repeat(3, 1)[edge] > np.cos(np.pi / 4)).all()
@@ -316,11 +307,14 @@ def test_smooth_normals_are_no_seams_and_are_computed_anew() -> None:
     vertices, faces, _ = textured_box()
     smooth = vertices / np.linalg.norm(vertices, axis=1, keepdims=True)
     plain = ls.simplify(vertices, faces, target_percent=10)
+    found = []
     for keep in (True, False):
-        given = {"normals": smooth if keep else _shaded_box()[2]}
+        given = {"normals": smooth if keep else shaded_box()[2]}
         result = ls.simplify(vertices, faces, target_percent=10, vertex_attributes=given, keep_attributes=keep)
         assert np.array_equal(result.vertices, plain.vertices)
-        assert np.allclose(np.linalg.norm(result.vertex_attributes["normals"], axis=1), 1)
+        found.append(result.vertex_attributes["normals"])
+        assert np.allclose(np.linalg.norm(found[-1], axis=1), 1)
+    assert np.array_equal(*found)
     whole = ls.simplify(vertices, faces, target_percent=100, vertex_attributes={"normals": smooth})
     assert np.array_equal(whole.vertex_attributes["normals"], smooth)
 

@@ -45,7 +45,6 @@ def _attributes(mesh: Any) -> Attributes:
 def _build(mesh: Any, result: Simplified) -> Any:
     data: dict[str, Any] = {"vertex_matrix": result.vertices, "face_matrix": result.faces}
     for name, values, parameter in (
-        ("normals", result.vertex_attributes, "v_normals_matrix"),
         ("scalar", result.vertex_attributes, "v_scalar_array"),
         ("color", result.vertex_attributes, "v_color_matrix"),
         ("vertex uv", result.vertex_attributes, "v_tex_coords_matrix"),
