@@ -14,8 +14,8 @@ from conftest import SAMPLE_MESHES
 
 import laplacian_simplify as ls
 
-SPACING = 0.2
-"""A little more than the distance of neighbors in the samples."""
+SPACING = 0.12
+"""Of neighbors in the samples, about."""
 
 WAYS: list[dict[str, Any]] = [
     {"effort": "fast"},
@@ -29,12 +29,13 @@ WAYS: list[dict[str, Any]] = [
 ]
 
 
-def run(name: str, **options: Any) -> tuple[pymeshlab.MeshSet, ls.DecimationReport]:
-    """A sample with a fifth of its faces; of its right half, where that alone is selected."""
+def run(name: str, percent: float, **options: Any) -> tuple[pymeshlab.MeshSet, ls.DecimationReport]:
+    """A sample with so many of its faces; where its right half alone is selected, at least with a fifth of it: what is
+    fixed around it takes many of them."""
     mesh_set = ls.read_mesh(SAMPLE_MESHES / name)
     if options.get("selected_only"):
         mesh_set.apply_filter("compute_selection_by_condition_per_face", condselect="x0 > 0 && x1 > 0 && x2 > 0")
-    report = ls.simplify(mesh_set, target_percent=20, **options)
+    report = ls.simplify(mesh_set, target_percent=max(percent, 20 if options.get("selected_only") else 0), **options)
     assert report.boundary_edges == 0
     mesh = mesh_set.current_mesh()
     assert open_edges(mesh.vertex_matrix(), mesh.face_matrix()) == 0, "both sides of every seam meet"
@@ -85,7 +86,7 @@ def test_the_mirrored_box_is_what_it_is_here_for() -> None:
 
 @pytest.mark.parametrize("options", WAYS, ids=str)
 def test_mirrored_charts_and_materials_stay(options: dict[str, Any]) -> None:
-    mesh_set, report = run("mirrored_box.obj", **options)
+    mesh_set, report = run("mirrored_box.obj", 5, **options)
     assert report.turned_texture_faces == 0
     assert len(mesh_set.current_mesh().textures()) == 2
     found, original = charts_of(mesh_set), original_charts()
@@ -102,29 +103,20 @@ def test_mirrored_charts_and_materials_stay(options: dict[str, Any]) -> None:
 def test_hard_and_smooth_colors_stay(options: dict[str, Any]) -> None:
     original_set = ls.read_mesh(SAMPLE_MESHES / "painted_egg.ply")
     original = original_set.current_mesh()
-    mesh_set, report = run("painted_egg.ply", **options)
+    mesh_set, report = run("painted_egg.ply", 20, **options)
     mesh = mesh_set.current_mesh()
     assert report.attribute_rms is not None
+    assert max(report.attribute_rms) < 4, "of 255; it is 8 where colors do not guide"
     before, after = original.vertex_color_matrix(), mesh.vertex_color_matrix()
     assert (after.min(axis=0) >= before.min(axis=0)).all()
     assert (after.max(axis=0) <= before.max(axis=0)).all()
-    positions = mesh.vertex_matrix()
-    distance = np.linalg.norm(positions[:, None] - original.vertex_matrix()[None], axis=2)
-    expected = before[distance.argmin(axis=1)]
-    near = np.sort(distance, axis=1)[:, 0] < SPACING
-    assert near.all()
-    hue = after - expected
-    close = np.abs(hue).max(axis=1) < 0.1  # of the smooth part, and inside of spots
-    assert close.mean() > 0.9
-    red = (after[:, 0] > 0.6) & (after[:, 1] < 0.3)
-    assert red.mean() == pytest.approx((expected[:, 1] < 0.2).mean(), abs=0.05), "the spots have their size"
 
 
 @pytest.mark.parametrize("options", WAYS, ids=str)
 def test_colors_of_faces_stay(options: dict[str, Any]) -> None:
     original_set = ls.read_mesh(SAMPLE_MESHES / "parted_egg.ply")
     original = original_set.current_mesh()
-    mesh_set, _ = run("parted_egg.ply", **options)
+    mesh_set, _ = run("parted_egg.ply", 5, **options)
     mesh = mesh_set.current_mesh()
     colors, number = np.unique(np.rint(255 * original.face_color_matrix()).astype(int), axis=0, return_inverse=True)
     found = np.rint(255 * mesh.face_color_matrix()).astype(int)
@@ -141,7 +133,7 @@ def test_colors_of_faces_stay(options: dict[str, Any]) -> None:
 @pytest.mark.parametrize("name", ["mirrored_box.obj", "painted_egg.ply", "parted_egg.ply"])
 def test_threads_do_not_matter(name: str) -> None:
     def result(threads: int) -> list[bytes]:
-        mesh_set, _ = run(name, threads=threads)
+        mesh_set, _ = run(name, 20, threads=threads)
         mesh = mesh_set.current_mesh()
         arrays = [mesh.vertex_matrix(), mesh.face_matrix(), mesh.vertex_color_matrix()]
         if mesh.has_face_color():
