@@ -34,8 +34,7 @@ struct MeshDecimationParameters : DecimationParameters {
 
 /// A simplification of a VCG mesh.
 struct MeshSimplification : Simplification {
-    AttributeLayout attributes;     ///< of the corner values
-    bool attributesIgnored = false; ///< the mesh has attributes that order strict does not know
+    AttributeLayout attributes; ///< of the corner values
 };
 
 /// Simplify, for both orders. An error bound is kept by the sweeps alone.
@@ -67,13 +66,11 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
                            AttributeReading{parameters.keepQuality, parameters.cleanInput,
                                             WeldDistance(view, parameters), parameters.threads});
     const CornerAttributes* const corners = attributes ? attributes->Corners() : nullptr;
-    const bool ignored = corners && parameters.order == Order::Strict;
-    if (!ignored) view.attributes = corners;
+    view.attributes = corners;
     std::optional<MeshNormals<Mesh>> normals;
-    if (parameters.keepAttributes && parameters.order == Order::Sweeps)
-        normals.emplace(mesh, parameters.cleanInput).AddTo(view);
+    if (parameters.keepAttributes) normals.emplace(mesh, parameters.cleanInput).AddTo(view);
     std::vector<std::uint32_t> keys;
-    if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
+    if (parameters.cleanInput && !parameters.keepAttributes) keys = AttributeKeys(mesh);
     if (!keys.empty()) view.vertexKeys = keys.data();
     std::vector<Simplification> ofArrays = run(view);
     std::vector<MeshSimplification> results;
@@ -81,7 +78,7 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
     for (Simplification& result : ofArrays) {
         const auto& cleaning = result.report.cleaning;
         const bool doubled = cleaning && cleaning->weldedVertices > 0;
-        results.push_back({std::move(result), {}, ignored});
+        results.push_back({std::move(result), {}});
         if (!view.attributes && results.back().mesh.cornerSides.empty()) continue;
         results.back().attributes = attributes->Layout();
         results.back().attributes.doubledVertices = doubled;
