@@ -26,6 +26,7 @@ WAYS: list[dict[str, Any]] = [
     {"selected_only": True},
     {"new_layer": True},
     {"max_error": 2.0},
+    {"order": "strict"},
 ]
 
 
