@@ -292,8 +292,8 @@ class Small:
     """(m, 3): of hard edges; None where there are none."""
 
     def corner_normals(self, vertex_origin: Array) -> Array:
-        """Unit vectors, (m, 3, 3): of all faces on the same side of a vertex, weighted by area. Vertices that were split
-        for other reasons count as one."""
+        """Unit vectors, (m, 3, 3): of all faces on the same side of a vertex, weighted by area. Vertices that were
+        split for other reasons count as one."""
         corners = self.vertices[self.faces].astype(np.float64)
         of_faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         keys = vertex_origin[self.faces.astype(np.intp)].ravel().astype(np.int64)
@@ -322,7 +322,9 @@ def _check_kind(shown: str, values: Array, kind: Kind, count: int) -> None:
     if kind == "color" and values.dtype.kind != "f":
         fits = values.dtype in (np.uint8, np.uint16)
     if not fits:
-        wanted = {"texture": "floats", "color": "floats, uint8 or uint16", "scalar": "numbers", "normal": "floats"}[kind]
+        wanted = {"texture": "floats", "color": "floats, uint8 or uint16", "scalar": "numbers", "normal": "floats"}[
+            kind
+        ]
         raise TypeError(f"{shown} must be an array of {wanted}, not of {values.dtype}")
     if kind == "texture" and count != 2:
         raise ValueError(f"{shown} must have two columns, u and v, not {count}")

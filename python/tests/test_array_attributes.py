@@ -267,7 +267,6 @@ def test_faces_out_of_range_are_refused_with_attributes_too() -> None:
         ls.simplify(V, (F - 1).astype("u4"), target_faces=5, vertex_attributes={"uv": UV})
 
 
-
 def test_hard_normals_of_vertices_stay_hard() -> None:
     vertices, faces, normals = shaded_box()
     given = {"normals": normals.astype(np.float32)}
@@ -323,5 +322,9 @@ def test_normals_are_checked() -> None:
     vertices, faces = sheet(5)
     with pytest.raises(ValueError, match=r"vertex_attributes\['n'\] must have three columns, not 2"):
         ls.simplify(
-            vertices, faces, target_percent=50, vertex_attributes={"n": vertices[:, :2]}, attribute_kinds={"n": "normal"}
+            vertices,
+            faces,
+            target_percent=50,
+            vertex_attributes={"n": vertices[:, :2]},
+            attribute_kinds={"n": "normal"},
         )

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Simplified
-from ..attributes import Array, Attributes
+from ..attributes import Array, Attributes, Kind
 from .library import Arrays, Library, attributes_of, require_triangles
 
 
@@ -59,7 +59,8 @@ def _tensor_attributes(mesh: Any) -> Attributes:
     materials = triangle.get("material_ids")
     vertex = {_at_vertices(name): values for name, values in _stored(mesh.vertex, "positions").items()}
     labels = None if materials is None else materials.reshape(-1)
-    return attributes_of(vertex, corner, labels, {_at_vertices("normals"): "normal"} if "normals" in mesh.vertex else {})
+    kinds: dict[str, Kind] = {_at_vertices("normals"): "normal"} if "normals" in mesh.vertex else {}
+    return attributes_of(vertex, corner, labels, kinds)
 
 
 def _at_vertices(name: str) -> str:
