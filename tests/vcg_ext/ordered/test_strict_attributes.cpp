@@ -92,14 +92,15 @@ class TestStrictAttributes : public QObject
             double squares = 0;
             for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
                 const std::int32_t label = sheet.labels[mesh.faceOrigin[f]];
+                const int column = label % 4, row = label / 4;
                 shown.insert(label);
                 for (std::size_t k = 0; k < 3; ++k) {
                     const float* uv = mesh.cornerValues.data() + 2 * (3 * f + k);
-                    const double u = static_cast<double>(uv[0]) - label % 4;
-                    const double v = static_cast<double>(uv[1]) - label / 4;
+                    const double u = static_cast<double>(uv[0]) - column;
+                    const double v = static_cast<double>(uv[1]) - row;
                     constexpr double kRounding = 1e-4;
-                    QVERIFY(u > label % 4 - kRounding && u < label % 4 + 1 + kRounding);
-                    QVERIFY(v > label / 4 - kRounding && v < label / 4 + 1 + kRounding);
+                    QVERIFY(u > column - kRounding && u < column + 1 + kRounding);
+                    QVERIFY(v > row - kRounding && v < row + 1 + kRounding);
                     const Point& p = mesh.positions[mesh.triangles[f][k]];
                     squares += std::pow(p[0] - u / 4, 2) + std::pow(p[1] - v / 4, 2);
                 }
@@ -120,10 +121,11 @@ class TestStrictAttributes : public QObject
         for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f)
             for (const std::uint32_t v : result.mesh.triangles[f]) {
                 const std::int32_t label = sheet.labels[result.mesh.faceOrigin[f]];
+                const int column = label % 4, row = label / 4;
                 const Point& p = result.mesh.positions[v];
                 constexpr double kRounding = 1e-4; // of single precision in the frame
-                QVERIFY(std::fabs(4 * p[0] - label % 4 - 0.5) < 0.5 + kRounding);
-                QVERIFY(std::fabs(4 * p[1] - label / 4 - 0.5) < 0.5 + kRounding);
+                QVERIFY(std::fabs(4 * p[0] - column - 0.5) < 0.5 + kRounding);
+                QVERIFY(std::fabs(4 * p[1] - row - 0.5) < 0.5 + kRounding);
             }
     }
 

@@ -33,6 +33,7 @@ class StrictOrder
     SweepState& state_;
     Workspace workspace_;
     std::uint32_t poolEnd_ = 0;
+    std::size_t longest_ = 0; ///< corner list, so far
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
     std::vector<std::uint32_t> ring_;
     double doubleArea_ = 0;
@@ -56,6 +57,8 @@ class StrictOrder
         if (state_.wedges) CountCharts(*state_.wedges);
         if (state_.crossings) CrossingCheck::Open(state_);
         Compact();
+        for (const std::uint32_t count : state_.cornerCount)
+            longest_ = std::max<std::size_t>(longest_, count);
         SweepStep step;
         step.everything = true;
         QueueAll();
@@ -142,8 +145,9 @@ class StrictOrder
         }
         std::sort(ring_.begin(), ring_.end());
         ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
-        // The next list is not longer than two of those that are there now, or than a chunk of the arena.
-        const std::size_t room = 4 * std::size_t{star.kept} + CornerArena::PoolSize(0, 1);
+        longest_ = std::max<std::size_t>(longest_, star.kept);
+        // The next list is not longer than two of those that are there now, or takes a chunk of the arena.
+        const std::size_t room = 2 * longest_ + CornerArena::PoolSize(0, 1);
         if (poolEnd_ + room > state_.corners.size()) Compact();
         for (const std::uint32_t v : ring_) Queue(v);
     }
