@@ -10,9 +10,10 @@ from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
-from .attributes import Attributes, Channels, Small
+from .attributes import Attributes, Channels
 from .library import MeshArrays, Outcome, Progress, run
 from .report import DecimationReport, StopReason
+from .small import Small
 from .tables import Filter
 
 Array: TypeAlias = np.ndarray[Any, Any]

@@ -14,6 +14,8 @@ from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
+from .small import Small
+
 Array: TypeAlias = np.ndarray[Any, Any]
 Kind: TypeAlias = Literal["texture", "color", "scalar", "normal", "origin"]
 
@@ -224,7 +226,7 @@ class Channels:
         return origin[order], place[split].reshape(faces.shape).astype(faces.dtype)
 
     def results(
-        self, channels: Array | None, vertex_origin: Array, face_origin: Array, small: "Small | None" = None
+        self, channels: Array | None, vertex_origin: Array, face_origin: Array, small: Small | None = None
     ) -> dict[str, Any]:
         """What the arrays at vertices and at corners and the labels have become, under the names of Simplified.
 
@@ -280,31 +282,6 @@ class Channels:
             is_color = column.kind == "color"
             found[column.name] = float(255 * np.sqrt(squares.mean()) if is_color else np.sqrt(squares.sum()))
         return found
-
-
-@dataclass(frozen=True, eq=False)
-class Small:
-    """A result, from which normals are computed."""
-
-    vertices: Array
-    faces: Array
-    sides: Array | None
-    """(m, 3): of hard edges; None where there are none."""
-
-    def corner_normals(self, vertex_origin: Array) -> Array:
-        """Unit vectors, (m, 3, 3): of all faces on the same side of a vertex, weighted by area. Vertices that were
-        split for other reasons count as one."""
-        corners = self.vertices[self.faces].astype(np.float64)
-        of_faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        keys = vertex_origin[self.faces.astype(np.intp)].ravel().astype(np.int64)
-        if self.sides is not None:
-            keys = keys << 32 | self.sides.ravel()
-        at = np.unique(keys, return_inverse=True)[1].reshape(-1)
-        weights = np.repeat(of_faces, 3, axis=0)
-        sums = np.stack([np.bincount(at, weights[:, k]) for k in range(3)], axis=1)
-        lengths = np.linalg.norm(sums, axis=1, keepdims=True)
-        unit: Array = np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 0)
-        return unit[at].reshape(-1, 3, 3)
 
 
 def _check_kinds(attributes: Attributes) -> None:

@@ -117,8 +117,9 @@ struct laplacian_simplify_result {
     /// As those of the mesh. Null where it had none, and where nothing was simplified: then they are what
     /// face_origin had.
     const float* corner_values;
-    const std::uint32_t* corner_sides; ///< one a corner: those of a vertex with different ones are on
-                                       ///< different sides of a hard edge. Null: there is none
+    /// One a corner: those of a vertex with different ones are on different sides of a hard edge. Null: there
+    /// is no hard edge.
+    const std::uint32_t* corner_sides;
     std::int32_t has_attributes; ///< 0: there were none, or nothing was simplified
     std::uint64_t charts;        ///< of the original
     std::uint64_t turned_faces;  ///< whose texture has turned over against what most of their chart has

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..attributes import Attributes, Channels, Small
+from ..attributes import Attributes, Channels
 from ..library import MeshArrays, Outcome, run
+from ..small import Small
 from .array_file import Array
 
 _LEAST_SHARE = 50
