@@ -30,6 +30,9 @@ struct MeshDecimationParameters : DecimationParameters {
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
     bool keepAttributes = true;  ///< what the mesh carries guides and is transferred: MeshAttributes
     bool keepQuality = true;     ///< the vertex quality, too
+    /// The normals of vertices are their author's, so that vertices doubled along a hard edge make it a seam.
+    /// Those that were computed from the faces differ along every crack, and say nothing.
+    bool vertexNormalsAreShading = false;
 };
 
 /// A simplification of a VCG mesh.
@@ -68,7 +71,8 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
     const CornerAttributes* const corners = attributes ? attributes->Corners() : nullptr;
     view.attributes = corners;
     std::optional<MeshNormals<Mesh>> normals;
-    if (parameters.keepAttributes) normals.emplace(mesh, parameters.cleanInput).AddTo(view);
+    if (parameters.keepAttributes)
+        normals.emplace(mesh, parameters.cleanInput && parameters.vertexNormalsAreShading).AddTo(view);
     std::vector<std::uint32_t> keys;
     if (parameters.cleanInput && !parameters.keepAttributes) keys = AttributeKeys(mesh);
     if (!keys.empty()) view.vertexKeys = keys.data();

@@ -18,7 +18,8 @@
 namespace vcg_ext
 {
 
-/// Normals of a mesh as MeshView has them: of corners where the mesh has such, otherwise of vertices.
+/// Normals of a mesh as MeshView has them: of corners where the mesh has such, otherwise of vertices where
+/// they count.
 template <class Mesh>
 class MeshNormals
 {
@@ -31,13 +32,13 @@ class MeshNormals
     }
 
   public:
-    /// \param welds vertices may be welded: only then those that they have say something
-    MeshNormals(const Mesh& mesh, bool welds)
+    /// \param ofVertices those of vertices count: they are their author's, and vertices may be welded
+    MeshNormals(const Mesh& mesh, bool ofVertices)
     {
         if (vcg::tri::HasPerWedgeNormal(mesh)) {
             for (const auto& face : mesh.face)
                 for (int k = 0; k < 3 && !face.IsD(); ++k) Add(face.cWN(k), ofCorners_);
-        } else if (welds && vcg::tri::HasPerVertexNormal(mesh)) {
+        } else if (ofVertices && vcg::tri::HasPerVertexNormal(mesh)) {
             for (const auto& vertex : mesh.vert) Add(vertex.cN(), ofVertices_);
         }
     }

@@ -160,16 +160,20 @@ class TestWedgeNormals : public QObject
     }
 
     /// Vertices that were doubled along a hard edge meet for the run and are doubled again, with a normal of
-    /// their side; where normals are alike on both sides, they are one afterwards.
+    /// their side, where the caller says that normals are the author's. Where they are alike on both sides, and
+    /// where they were only computed, as MeshLab does for every mesh, vertices are one afterwards.
     void doubledVerticesStayDoubledAlongHardEdges()
     {
-        for (const bool hard : {true, false}) {
+        for (const auto& [authors, apart] : {std::pair{true, true}, {true, false}, {false, true}}) {
+            const bool hard = authors && apart;
             Plain mesh;
             test_meshes::Fill(mesh, CutRoof());
             vcg::tri::UpdateNormal<Plain>::PerVertexNormalized(mesh);
-            if (!hard)
+            if (!apart)
                 for (auto& vertex : mesh.vert) vertex.N() = {0, 0, 1};
-            const MeshSimplification result = Decimate(mesh, Target(20));
+            auto parameters = Target(20);
+            parameters.vertexNormalsAreShading = authors;
+            const MeshSimplification result = Decimate(mesh, parameters);
             QCOMPARE(result.report.cleaning->weldedVertices, std::size_t{17});
             QCOMPARE(result.report.attributes.has_value(), hard);
             ApplyDecimation(mesh, result, true);
@@ -191,6 +195,7 @@ class TestWedgeNormals : public QObject
         test_meshes::Fill(mesh, CutRoof());
         vcg::tri::UpdateNormal<Plain>::PerVertexNormalized(mesh);
         auto parameters = Target(20);
+        parameters.vertexNormalsAreShading = true;
         parameters.keepAttributes = false;
         QVERIFY(!Decimate(mesh, parameters).report.attributes);
         IndexedMesh soup;
@@ -202,7 +207,8 @@ class TestWedgeNormals : public QObject
         Plain single;
         test_meshes::Fill(single, soup);
         vcg::tri::UpdateNormal<Plain>::PerVertexNormalized(single);
-        const MeshSimplification result = Decimate(single, Target(20));
+        parameters.keepAttributes = true;
+        const MeshSimplification result = Decimate(single, parameters);
         QVERIFY(result.report.cleaning->weldedVertices > 0 && !result.report.attributes);
     }
 };
