@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -53,31 +54,59 @@ class MeshNormals
     }
 };
 
-/// Unit normals of the corners of a result: of every side of a vertex the sum over its faces, weighted by
-/// area.
-inline std::vector<Vector3<double>> CornerNormals(const DecimatedMesh& result)
+/// Of every corner of a result the first one of its vertex on the same side.
+inline std::vector<std::size_t> FirstCornersOfSides(const DecimatedMesh& result)
 {
-    std::vector<Vector3<double>> normals(3 * result.triangles.size());
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Vector3<double>> sums; // of vertices and their sides
-    const auto sumOf = [&](std::size_t corner) -> Vector3<double>& {
-        const std::uint32_t side = result.cornerSides.empty() ? 0 : result.cornerSides[corner];
-        return sums[{result.triangles[corner / 3][corner % 3], side}];
-    };
-    for (std::size_t f = 0; f < result.triangles.size(); ++f) {
-        std::array<Vector3<double>, 3> at{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& p = result.positions[result.triangles[f][k]];
-            at[k] = {p[0], p[1], p[2]};
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            Vector3<double>& sum = sumOf(3 * f + k);
-            sum = sum + Cross(at[1] - at[0], at[2] - at[0]);
-        }
+    std::vector<std::size_t> first(3 * result.triangles.size());
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> found; // of vertices and their sides
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const std::uint32_t side = result.cornerSides.empty() ? 0 : result.cornerSides[i];
+        first[i] = found.emplace(std::pair{result.triangles[i / 3][i % 3], side}, i).first->second;
     }
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        const Vector3<double>& sum = sumOf(i);
-        const double length = Norm(sum);
-        normals[i] = length > 0 ? (1 / length) * sum : sum;
+    return first;
+}
+
+inline double LargestComponent(const Vector3<double>& v)
+{
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+/// \p v divided by a number whose reciprocal may be too large.
+inline Vector3<double> Divided(const Vector3<double>& v, double by)
+{
+    return {v.x / by, v.y / by, v.z / by};
+}
+
+/// Unit normals of the corners of a result: of every side of a vertex the sum over its faces, weighted by
+/// area. Zero where that has no area. \param first FirstCornersOfSides
+inline std::vector<Vector3<double>> CornerNormals(const DecimatedMesh& result,
+                                                  const std::vector<std::size_t>& first)
+{
+    const auto edge = [&](std::size_t f, std::size_t k) {
+        const auto& a = result.positions[result.triangles[f][0]];
+        const auto& b = result.positions[result.triangles[f][k]];
+        return Vector3<double>{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    };
+    // Areas of very small and very large faces are no numbers: those of a side are measured by its longest
+    // edge.
+    std::vector<double> unit(first.size(), 0);
+    for (std::size_t i = 0; i < first.size(); ++i)
+        for (const std::size_t k : {1, 2})
+            unit[first[i]] = std::max(unit[first[i]], LargestComponent(edge(i / 3, k)));
+    std::vector<Vector3<double>> normals(first.size(), {0, 0, 0});
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const double by = unit[first[i]];
+        Vector3<double>& sum = normals[first[i]];
+        if (by > 0) sum = sum + Cross(Divided(edge(i / 3, 1), by), Divided(edge(i / 3, 2), by));
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) {
+            normals[i] = normals[first[i]];
+            continue;
+        }
+        const double largest = LargestComponent(normals[i]);
+        if (!(largest > 0)) continue;
+        const Vector3<double> scaled = Divided(normals[i], largest);
+        normals[i] = Divided(scaled, Norm(scaled));
     }
     return normals;
 }

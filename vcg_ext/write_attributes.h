@@ -198,11 +198,15 @@ class AttributeWriter
         }
     }
 
+    /// Sides of vertices all of whose faces are as they were keep theirs, and so do those without area.
     void WriteNormals()
     {
-        const std::vector<Vector3<double>> normals = CornerNormals(result_);
+        const std::vector<std::size_t> first = FirstCornersOfSides(result_);
+        const std::vector<Vector3<double>> normals = CornerNormals(result_, first);
+        std::vector<std::uint8_t> keeps(CornerCount(), 1); // by first corners
+        for (std::size_t i = 0; i < CornerCount(); ++i) keeps[first[i]] &= untouched_[i / 3];
         for (std::size_t i = 0; i < CornerCount(); ++i) {
-            if (untouched_[i / 3]) continue;
+            if (keeps[first[i]] || !(LargestComponent(normals[i]) > 0)) continue;
             auto& normal = FaceOf(i / 3).WN(static_cast<int>(i % 3));
             using Number = std::decay_t<decltype(normal[0])>;
             normal = {static_cast<Number>(normals[i].x), static_cast<Number>(normals[i].y),

@@ -159,9 +159,55 @@ class TestWedgeNormals : public QObject
         for (const auto& [vertex, x] : normals) QCOMPARE(x.size(), std::size_t{1});
     }
 
+    /// A vertex has one, too, where but some of its faces have changed; where none has, those that it had,
+    /// which here are longer than computed ones.
+    void aVertexHasOneNormalWhereFewFacesChange()
+    {
+        Shaded mesh;
+        test_meshes::Fill(mesh, Roof());
+        for (auto& face : mesh.face)
+            for (int k = 0; k < 3; ++k) face.WN(k) = {face.cP(k)[0] / 8, 0, 2};
+        const auto faces = static_cast<std::size_t>(mesh.fn);
+        ApplyDecimation(mesh, Decimate(mesh, Target(faces * 8 / 10)), true);
+        std::map<const void*, std::set<std::pair<float, float>>> normals;
+        for (const auto& face : mesh.face)
+            for (int k = 0; k < 3; ++k) normals[face.cV(k)].insert({face.cWN(k)[0], face.cWN(k)[2]});
+        std::size_t old = 0;
+        for (const auto& [vertex, n] : normals) {
+            QCOMPARE(n.size(), std::size_t{1});
+            old += n.begin()->second == 2;
+        }
+        QVERIFY(old > 0 && old < normals.size());
+    }
+
+    /// Areas whose squares are no numbers have normals, and what has no area keeps those that it had.
+    void normalsOfAnySizeAndOfNone()
+    {
+        for (const double size : {1e-160, 1.0, 1e160}) {
+            DecimatedMesh mesh;
+            mesh.positions = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
+            mesh.triangles = {{0, 1, 2}, {1, 1, 1}};
+            mesh.cornerSides = {0, 0, 0, 1, 1, 1};
+            const auto normals = CornerNormals(mesh, FirstCornersOfSides(mesh));
+            for (std::size_t i = 0; i < 6; ++i) {
+                QCOMPARE(normals[i].x, 0.0);
+                QCOMPARE(normals[i].z, i < 3 ? 1.0 : 0.0);
+            }
+        }
+        Shaded mesh;
+        test_meshes::Fill(mesh, Roof());
+        for (auto& face : mesh.face)
+            for (int k = 0; k < 3; ++k) face.WN(k) = {0, 0, 2};
+        MeshSimplification result = Decimate(mesh, Target(20));
+        for (auto& p : result.mesh.positions) p = {7, 7, 7};
+        ApplyDecimation(mesh, result, true);
+        for (const auto& face : mesh.face)
+            for (int k = 0; k < 3; ++k) QCOMPARE(face.cWN(k)[2], 2.F);
+    }
+
     /// Vertices that were doubled along a hard edge meet for the run and are doubled again, with a normal of
-    /// their side, where the caller says that normals are the author's. Where they are alike on both sides, and
-    /// where they were only computed, as MeshLab does for every mesh, vertices are one afterwards.
+    /// their side, where the caller says that normals are the author's. Where they are alike on both sides,
+    /// and where they were only computed, as MeshLab does for every mesh, vertices are one afterwards.
     void doubledVerticesStayDoubledAlongHardEdges()
     {
         for (const auto& [authors, apart] : {std::pair{true, true}, {true, false}, {false, true}}) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analytic_meshes.h"
+#include "vcg_ext/core/mesh/hard_normals.h"
 #include "vcg_ext/core/simplify.h"
 
 using namespace vcg_ext;
@@ -93,12 +94,15 @@ class TestHardNormals : public QObject
 
   private slots:
     /// A hard edge stays where it is, though the surface is flat: no face reaches over it, and its vertices
-    /// have two sides, all others one.
+    /// have two sides, all others one. Threads change nothing.
     void aHardEdgeIsASeam()
     {
         const Shaded sheet = BentSheet(40);
+        const DecimatedMesh one = Simplify(sheet.View(), Target(40)).mesh;
         for (const int threads : {1, 2}) {
             const Simplification result = Simplify(sheet.View(), Target(40, threads));
+            QVERIFY(result.mesh.positions == one.positions && result.mesh.triangles == one.triangles);
+            QVERIFY(result.mesh.cornerSides == one.cornerSides);
             QVERIFY(result.mesh.triangles.size() <= 40);
             QCOMPARE(result.report.attributes->charts, std::size_t{2});
             for (const auto& t : result.mesh.triangles) {
@@ -197,6 +201,60 @@ class TestHardNormals : public QObject
             return Point{std::sin(997 * center[0] + 463 * center[1]), std::sin(613 * center[1]), 1};
         });
         QVERIFY(!Simplify(rough.View(), Target(200)).report.attributes);
+    }
+
+    /// Nor on one that is gently rough, where but some edges are sharp.
+    void facesOfARoughSheetHaveNoHardEdges()
+    {
+        IndexedMesh sheet = test_meshes::Grid(20, 20, 0.05);
+        for (Point& p : sheet.points) p[2] = 0.02 * std::sin(997 * p[0] + 463 * p[1]) * std::sin(613 * p[1]);
+        Shaded rough(sheet, [](const Point&, const Point&) { return Point{0, 0, 1}; });
+        for (std::size_t f = 0; f < sheet.triangles.size(); ++f) {
+            const auto at = [&](std::size_t k) {
+                const Point& p = sheet.points[sheet.triangles[f][k]];
+                return Vector3<double>{p[0], p[1], p[2]};
+            };
+            const Vector3<double> normal = Cross(at(1) - at(0), at(2) - at(0));
+            for (std::size_t k = 0; k < 3; ++k) {
+                float* const n = rough.cornerNormals.data() + 9 * f + 3 * k;
+                n[0] = static_cast<float>(normal.x);
+                n[1] = static_cast<float>(normal.y);
+                n[2] = static_cast<float>(normal.z);
+            }
+        }
+        QVERIFY(!Simplify(rough.View(), Target(200)).report.attributes);
+    }
+
+    /// Around a vertex of very many faces all are not compared with all, and the sides are the same: those
+    /// that lean left and those that lean right, all a little different, and some between, which belong to
+    /// the right.
+    void aHubHasItsSides()
+    {
+        constexpr std::uint32_t kFaces = 20000;
+        IndexedMesh fan;
+        fan.points.assign(kFaces + 1, {0, 0, 0});
+        for (std::uint32_t i = 0; i < kFaces; ++i) fan.AddTriangle(0, i + 1, (i + 1) % kFaces + 1);
+        std::vector<Vector3<float>> normals(std::size_t{3} * kFaces, {0, 0, 1});
+        const auto isLeft = [](std::uint32_t i) { return i % 2 == 0; };
+        for (std::uint32_t i = 0; i < kFaces; ++i) {
+            const double jitter = 5 * std::sin(i), between = i % 11 == 0 ? 25 : 0;
+            const Point n = Leaning(isLeft(i) ? -50 + jitter : 50 + jitter - between);
+            normals[3 * std::size_t{i}] = {static_cast<float>(n[0]), 0, static_cast<float>(n[2])};
+        }
+        const MeshView view = test_meshes::View(fan);
+        const std::vector<std::uint32_t> sides = SideFinder(view, normals).Find(1);
+        QVERIFY(!sides.empty());
+        for (std::uint32_t i = 0; i < kFaces; ++i) QCOMPARE(sides[3 * std::size_t{i}], isLeft(i) ? 0U : 3U);
+    }
+
+    /// Lengths of normals say nothing, though their squares are no floats.
+    void normalsMayHaveAnyLength()
+    {
+        for (const float length : {1e-30F, 1e30F}) {
+            Shaded sheet = BentSheet(40);
+            for (float& x : sheet.cornerNormals) x *= length;
+            QCOMPARE(Simplify(sheet.View(), Target(40)).report.attributes->charts, std::size_t{2});
+        }
     }
 
     /// Corners without a normal, or with one that is no number, make no side of their own: not among others,

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "vcg_ext/core/base/parallel.h"
@@ -27,6 +29,23 @@ class SideFinder
     /// Cosine of 30 degrees. Programs that shade by angle call more than that hard; and normals that were
     /// computed on either side of a cut through a smooth surface are apart by less.
     static constexpr float kSmooth = 0.8660254F;
+    /// Cosine of a degree: normals that are given as one may be apart by rounding, of bytes at most.
+    static constexpr float kSame = 0.9998477F;
+    /// Above so many corners of a vertex, normals in one of small cells count as one, as every pair is tried.
+    static constexpr std::size_t kMany = 64;
+    static constexpr float kCellsToOne = 16; ///< some three degrees each
+
+    /// What a range of vertices has.
+    struct Counts {
+        std::size_t hardEnds = 0; ///< of hard edges
+        std::size_t vertices = 0; ///< on a face
+        std::size_t uneven = 0;   ///< of them: with normals that differ on one side
+    };
+    /// Of the corners of one vertex those that are compared.
+    struct Compared {
+        std::vector<std::uint32_t> corners;
+        std::map<std::array<int, 3>, std::uint32_t> ofCells; ///< where there are many
+    };
 
     const MeshView& view_;
     const std::vector<Vector3<float>>& normals_; ///< of every corner
@@ -34,7 +53,7 @@ class SideFinder
     std::vector<std::uint32_t> sides_;
 
   public:
-    /// \pre both outlive this
+    /// \param normals unit vectors, or zero where there is none \pre both outlive this
     SideFinder(const MeshView& view, const std::vector<Vector3<float>>& normals)
         : view_(view), normals_(normals), begin_(view.vertexCount + 2, 0), corners_(3 * view.faceCount),
           sides_(3 * view.faceCount)
@@ -44,67 +63,82 @@ class SideFinder
         for (std::uint32_t i = 0; i < corners_.size(); ++i) corners_[begin_[view.triangles[i] + 1]++] = i;
     }
 
-    /// Of every corner the first one on its side; empty where all are on one side. So it is, too, where a
-    /// fifth of all edges would be hard: then faces are shaded one by one, which says nothing of the surface.
+    /// Of every corner the first one on its side; empty where all are on one side. So it is, too, where faces
+    /// are shaded one by one, which says nothing of the surface: a fifth of all edges would be hard, or at
+    /// more than half of the vertices normals differ where they are smooth.
     std::vector<std::uint32_t> Find(int threads)
     {
         constexpr std::size_t kFifth = 5;
-        std::vector<std::size_t> hardEnds(view_.vertexCount / kGrain + 1, 0);
+        std::vector<Counts> parts(view_.vertexCount / kGrain + 1);
         ParallelRanges(threads, view_.vertexCount, kGrain, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t v = begin; v < end; ++v) {
-                // As many hard edges end at a vertex as it has sides, unless that is one.
-                const std::size_t sides = JoinCorners(begin_[v], begin_[v + 1]);
-                hardEnds[begin / kGrain] += sides > 1 ? sides : 0;
-            }
+            Compared compared;
+            for (std::size_t v = begin; v < end; ++v) JoinCorners(v, compared, parts[begin / kGrain]);
         });
-        std::size_t hard = 0;
-        for (const std::size_t part : hardEnds) hard += part;
-        if (hard == 0 || kFifth * hard >= corners_.size()) return {};
+        Counts all;
+        for (const Counts& part : parts) {
+            all.hardEnds += part.hardEnds;
+            all.vertices += part.vertices;
+            all.uneven += part.uneven;
+        }
+        if (all.hardEnds == 0 || kFifth * all.hardEnds >= corners_.size()) return {};
+        if (2 * all.uneven > all.vertices) return {};
         return std::move(sides_);
     }
 
   private:
-    bool SaysSomething(std::uint32_t corner) const
+    bool SaysSomething(std::uint32_t corner) const { return SquaredNorm(normals_[corner]) > 0; }
+    bool IsSmooth(std::uint32_t a, std::uint32_t b) const { return Dot(normals_[a], normals_[b]) >= kSmooth; }
+
+    void JoinCorners(std::size_t vertex, Compared& compared, Counts& counts)
     {
-        const float squared = Dot(normals_[corner], normals_[corner]);
-        return squared > 0 && std::isfinite(squared);
-    }
-    bool IsSmooth(std::uint32_t a, std::uint32_t b) const
-    {
-        const float lengths = Norm(normals_[a]) * Norm(normals_[b]);
-        return Dot(normals_[a], normals_[b]) >= kSmooth * lengths;
+        const std::uint32_t begin = begin_[vertex], end = begin_[vertex + 1];
+        if (begin == end) return;
+        compared.corners.clear();
+        compared.ofCells.clear();
+        for (std::uint32_t i = begin; i < end; ++i)
+            if (SaysSomething(corners_[i])) Join(corners_[i], end - begin > kMany, compared);
+        // Those without a normal are on the first side.
+        const std::uint32_t ofOthers =
+            compared.corners.empty() ? corners_[begin] : sides_[compared.corners.front()];
+        std::size_t sides = 0;
+        bool uneven = false;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const std::uint32_t corner = corners_[i];
+            const bool says = SaysSomething(corner);
+            std::uint32_t& side = sides_[corner];
+            side = says ? sides_[side] : ofOthers; // that of the one in the same cell
+            sides += says && side == corner;
+            uneven = uneven || (says && Dot(normals_[corner], normals_[side]) < kSame);
+        }
+        ++counts.vertices;
+        counts.uneven += uneven;
+        // As many hard edges end at a vertex as it has sides, unless that is one.
+        counts.hardEnds += sides > 1 ? sides : 0;
     }
 
-    /// Of the corners from \p begin to \p end of one vertex. Those without a normal are on the first side.
-    /// \return how many sides there are
-    std::size_t JoinCorners(std::uint32_t begin, std::uint32_t end)
+    /// Puts a corner on the side of those before it that it is smooth with, which makes all of theirs one.
+    void Join(std::uint32_t corner, bool many, Compared& compared)
     {
-        const auto side = [&](std::uint32_t i) -> std::uint32_t& { return sides_[corners_[i]]; };
-        for (std::uint32_t i = begin; i < end; ++i) {
-            side(i) = corners_[i];
-            if (!SaysSomething(corners_[i])) continue;
-            for (std::uint32_t j = begin; j < i; ++j) {
-                if (side(i) == side(j) || !SaysSomething(corners_[j])) continue;
-                if (IsSmooth(corners_[i], corners_[j])) Join(begin, i, side(i), side(j));
+        sides_[corner] = corner;
+        if (many) {
+            const auto [cell, isNew] = compared.ofCells.emplace(CellOf(normals_[corner]), corner);
+            if (!isNew) {
+                sides_[corner] = cell->second;
+                return;
             }
         }
-        std::size_t count = 0;
-        std::uint32_t first = begin; // that has a normal
-        while (first < end && !SaysSomething(corners_[first])) ++first;
-        const std::uint32_t ofOthers =
-            first < end ? side(first) : static_cast<std::uint32_t>(corners_.size());
-        for (std::uint32_t i = begin; i < end; ++i) {
-            if (!SaysSomething(corners_[i])) side(i) = ofOthers;
-            count += side(i) == corners_[i];
+        compared.corners.push_back(corner);
+        for (const std::uint32_t other : compared.corners) {
+            const std::uint32_t a = sides_[corner], b = sides_[other];
+            if (a == b || !IsSmooth(corner, other)) continue;
+            for (const std::uint32_t c : compared.corners)
+                if (sides_[c] == a || sides_[c] == b) sides_[c] = std::min(a, b);
         }
-        return count;
     }
-    void Join(std::uint32_t begin, std::uint32_t last, std::uint32_t a, std::uint32_t b)
+    static std::array<int, 3> CellOf(const Vector3<float>& n)
     {
-        for (std::uint32_t i = begin; i <= last; ++i) {
-            std::uint32_t& side = sides_[corners_[i]];
-            if (side == a || side == b) side = std::min(a, b);
-        }
+        const auto of = [](float x) { return static_cast<int>(std::floor(kCellsToOne * x)); };
+        return {of(n.x), of(n.y), of(n.z)};
     }
 };
 
@@ -131,7 +165,7 @@ class SidedInput
             const float* n = input.cornerNormals
                                  ? input.cornerNormals + 3 * corner
                                  : input.vertexNormals + std::size_t{3} * input.triangles[corner];
-            normals[i] = {n[0], n[1], n[2]};
+            normals[i] = Unit({n[0], n[1], n[2]});
         }
         sides_ = SideFinder(view, normals).Find(UsefulThreadCount(threads, view.faceCount));
         if (sides_.empty()) return;
@@ -145,18 +179,26 @@ class SidedInput
     const MeshView& View() const { return view_; }
 
   private:
-    /// Is nearly every corner a vertex of its own? Then normals of vertices are those of faces, and say
-    /// nothing.
+    /// Zero where it has no length, or is no number.
+    static Vector3<float> Unit(const Vector3<double>& n)
+    {
+        const double length = Norm(n);
+        if (!(length > 0 && std::isfinite(length))) return {0, 0, 0};
+        return {static_cast<float>(n.x / length), static_cast<float>(n.y / length),
+                static_cast<float>(n.z / length)};
+    }
+
+    /// Have more than 80 % of the corners a vertex of their own? Then normals of vertices are those of faces,
+    /// and say nothing.
     static bool IsSoup(const MeshView& view)
     {
-        constexpr std::size_t kOfTwenty = 16; // of 3 vertices a face: 2.4
         std::vector<bool> used(view.vertexCount);
         std::size_t count = 0;
         for (std::size_t i = 0; i < 3 * view.faceCount; ++i) {
             count += !used[view.triangles[i]];
             used[view.triangles[i]] = true;
         }
-        return 20 * count > kOfTwenty * 3 * view.faceCount;
+        return 5 * count > 4 * 3 * view.faceCount;
     }
 };
 
