@@ -257,12 +257,13 @@ class Channels:
     def _compute_normals(
         self, normals: Array, faces: Array, vertex: dict[str, Array], corner: dict[str, Array]
     ) -> None:
+        found = normals.any(axis=2)  # what has no area keeps its own, and so do vertices without faces
         for name, at_corners in self._normals.items():
             if at_corners:
-                corner[name] = normals.astype(corner[name].dtype)
+                corner[name] = np.where(found[..., None], normals.astype(corner[name].dtype), corner[name])
             else:
-                vertex[name] = np.array(vertex[name])  # vertices without faces keep theirs
-                vertex[name][faces.ravel()] = normals.reshape(-1, 3)
+                vertex[name] = np.array(vertex[name])
+                vertex[name][faces[found]] = normals[found]
 
     def unused(self) -> "Channels":
         """The same arrays, whose values are those of what remains; only normals are computed anew."""

@@ -8,6 +8,8 @@ from array_meshes import wave
 from attribute_meshes import affine, cells_of, open_edges, shaded_box, sheet, side_of, textured_box
 
 import laplacian_simplify as ls
+from laplacian_simplify.attributes import Attributes, Channels
+from laplacian_simplify.small import Small
 
 FLOAT = 1e-6
 """Values pass as float32: a part in 2^24 of numbers about 1, a few times."""
@@ -316,6 +318,18 @@ def test_smooth_normals_are_no_seams_and_are_computed_anew() -> None:
     assert np.array_equal(*found)
     whole = ls.simplify(vertices, faces, target_percent=100, vertex_attributes={"normals": smooth})
     assert np.array_equal(whole.vertex_attributes["normals"], smooth)
+
+
+@pytest.mark.parametrize("size", [1e-160, 1.0, 1e160])
+def test_normals_of_any_size_and_of_none(size: float) -> None:
+    places = size * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 2, 2]])
+    made = Small(places, np.array([[0, 1, 2], [3, 3, 3]]), None)
+    assert np.allclose(made.corner_normals(np.arange(4)), [[[0, 0, 1]] * 3, [[0, 0, 0]] * 3])
+    given = {"normals": np.full((4, 3), 0.5)}
+    channels = Channels(Attributes(given, {"at corners": np.full((2, 3, 3), 0.5)}, None, {"at corners": "normal"}), 4, 2)
+    found = channels.results(None, np.arange(4), np.arange(2), made)
+    assert np.allclose(found["vertex_attributes"]["normals"], [[0, 0, 1]] * 3 + [[0.5] * 3])
+    assert np.allclose(found["corner_attributes"]["at corners"], [[[0, 0, 1]] * 3, [[0.5] * 3] * 3])
 
 
 def test_normals_are_checked() -> None:

@@ -249,6 +249,15 @@ def test_hard_normals_of_trimesh_stay_hard() -> None:
     assert_hard(np.asarray(small.vertices), np.asarray(small.faces), np.asarray(small.vertex_normals))
 
 
+def test_outdated_normals_of_trimesh_say_nothing() -> None:
+    trimesh = pytest.importorskip("trimesh")
+    vertices, faces, normals = shaded_box()
+    mesh = trimesh.Trimesh(vertices, faces, vertex_normals=normals, process=False)
+    mesh.vertices = 2 * vertices
+    small, _ = ls.simplify(mesh, **OPTIONS)
+    assert len(np.unique(small.vertices, axis=0)) == len(small.vertices)
+
+
 def test_hard_normals_of_meshio_stay_hard() -> None:
     meshio = pytest.importorskip("meshio")
     vertices, faces, normals = shaded_box()

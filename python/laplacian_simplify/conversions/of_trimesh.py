@@ -40,8 +40,8 @@ def _attributes(mesh: Any) -> Attributes:
 
 def _of_normals(mesh: Any) -> dict[str, Array]:
     """Those that a file had, or that somebody has asked for: others are computed when they are asked for."""
-    stored = getattr(getattr(mesh, "_cache", None), "cache", {})
-    normals = np.asarray(stored["vertex_normals"]) if "vertex_normals" in stored else np.empty(0)
+    cache = getattr(mesh, "_cache", {})  # to ask it drops what is no longer true
+    normals = np.asarray(cache["vertex_normals"]) if "vertex_normals" in cache else np.empty(0)
     return {_NORMALS: normals} if normals.shape == np.shape(mesh.vertices) else {}
 
 
