@@ -326,7 +326,9 @@ def test_normals_of_any_size_and_of_none(size: float) -> None:
     made = Small(places, np.array([[0, 1, 2], [3, 3, 3]]), None)
     assert np.allclose(made.corner_normals(np.arange(4)), [[[0, 0, 1]] * 3, [[0, 0, 0]] * 3])
     given = {"normals": np.full((4, 3), 0.5)}
-    channels = Channels(Attributes(given, {"at corners": np.full((2, 3, 3), 0.5)}, None, {"at corners": "normal"}), 4, 2)
+    channels = Channels(
+        Attributes(given, {"at corners": np.full((2, 3, 3), 0.5)}, None, {"at corners": "normal"}), 4, 2
+    )
     found = channels.results(None, np.arange(4), np.arange(2), made)
     assert np.allclose(found["vertex_attributes"]["normals"], [[0, 0, 1]] * 3 + [[0.5] * 3])
     assert np.allclose(found["corner_attributes"]["at corners"], [[[0, 0, 1]] * 3, [[0.5] * 3] * 3])

@@ -229,7 +229,7 @@ def assert_hard(vertices: np.ndarray, faces: np.ndarray, normals: np.ndarray) ->
 
 
 def test_normals_that_meshlab_computed_make_no_seams() -> None:
-    """It has some for every mesh; at vertices that are doubled along an edge, as in STL files, each from its own side."""
+    """It has some for every mesh; where vertices are doubled along an edge, as in STL files, each from its own side."""
     import pymeshlab
 
     vertices, faces, _ = shaded_box()

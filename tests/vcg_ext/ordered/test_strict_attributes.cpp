@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "analytic_meshes.h"
@@ -162,7 +163,39 @@ class TestStrictAttributes : public QObject
         QCOMPARE(found, hump.size());
     }
 
-    /// Threads change nothing, guarded against crossings or not.
+    /// A run may be canceled while nothing collapses: none of these tetrahedra may.
+    void whatCollapsesNothingMayBeCanceled()
+    {
+        IndexedMesh solids;
+        for (int i = 0; i < 3000; ++i) {
+            const std::size_t at = solids.points.size();
+            const double x = 2 * i;
+            for (const Point& p : {Point{x, 0, 0}, Point{x + 1, 0, 0}, Point{x, 1, 0}, Point{x, 0, 1}})
+                solids.points.push_back(p);
+            solids.AddTriangle(at, at + 2, at + 1);
+            solids.AddTriangle(at, at + 1, at + 3);
+            solids.AddTriangle(at + 1, at + 2, at + 3);
+            solids.AddTriangle(at + 2, at, at + 3);
+        }
+        std::vector<std::int32_t> labels(solids.triangles.size());
+        for (std::size_t f = 0; f < labels.size(); ++f) labels[f] = static_cast<std::int32_t>(f / 4 % 2);
+        CornerAttributes attributes;
+        attributes.labels = labels.data();
+        MeshView view = test_meshes::View(solids);
+        view.attributes = &attributes;
+        auto parameters = Target(4, Effort::Fast);
+        int told = 0;
+        parameters.progress = [&](int, const char* stage) {
+            told += std::string(stage) == "Collapsing edges";
+            return told < 2; // the first time before anything is looked at
+        };
+        const Simplification result = Decimate(view, parameters);
+        QCOMPARE(result.report.stopReason, StopReason::Cancelled);
+        parameters.progress = {};
+        QCOMPARE(Decimate(view, parameters).report.faces, labels.size());
+    }
+
+    /// Threads change nothing.
     void threadsDoNotMatter()
     {
         Patchwork sheet(24, 0.1);

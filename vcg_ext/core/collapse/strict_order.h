@@ -20,12 +20,14 @@
 namespace vcg_ext
 {
 
-/// Collapses one edge after the other, the cheapest of all first, with the rules of the sweeps: what order
+/// Collapses one edge after the other, the cheapest legal one first, with the rules of the sweeps: what order
 /// strict is for a mesh with attributes, which VCG's queue does not know.
 ///
 /// A vertex waits in a queue with a lower bound of what its cheapest edge costs. The first of them is looked
 /// at, and collapses what costs no more than the next one's bound; or it waits on with the cost that was
-/// found. After a collapse the survivor and its neighbors are priced again. On one thread.
+/// found. After a collapse the survivor and its neighbors are priced again. Once
+/// nothing more is legal, the last resort of SweepStep is open to all collapses from then on: to leave it
+/// again would mean to look at everything anew. On one thread.
 class StrictOrder
 {
     using Entry = std::pair<float, std::uint32_t>; ///< bound and vertex; of equal ones the first vertex
@@ -37,6 +39,7 @@ class StrictOrder
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
     std::vector<std::uint32_t> ring_;
     double doubleArea_ = 0;
+    std::size_t visits_ = 0;
 
   public:
     /// \pre the state is loaded and started, and outlives this object
@@ -62,13 +65,16 @@ class StrictOrder
         SweepStep step;
         step.everything = true;
         QueueAll();
+        const auto tell = [&] {
+            const std::size_t way = start - state_.aliveFaces;
+            report(static_cast<double>(way) / static_cast<double>(start - target));
+        };
         for (std::size_t next = start; state_.aliveFaces > target;) {
             if (state_.aliveFaces <= next) {
-                const std::size_t way = start - state_.aliveFaces;
-                report(static_cast<double>(way) / static_cast<double>(start - target));
+                tell();
                 next = state_.aliveFaces - std::min(state_.aliveFaces, (start - target) / kReports + 1);
             }
-            if (CollapseFirst(step)) continue;
+            if (CollapseFirst(step, tell)) continue;
             if (std::exchange(step.lastResort, true)) return WhatHolds();
             QueueAll();
         }
@@ -109,15 +115,19 @@ class StrictOrder
         queue_.emplace(state_.key[v], v);
     }
 
-    /// Looks at vertices until one has merged. \return whether one has
-    bool CollapseFirst(SweepStep& step)
+    /// Looks at vertices until one has merged. \param tell called now and then, as a run may be canceled
+    /// there \return whether one has
+    template <class Tell>
+    bool CollapseFirst(SweepStep& step, const Tell& tell)
     {
+        constexpr std::size_t kVisits = 4096;
         state_.distanceArea = static_cast<float>(DistanceArea(doubleArea_, state_.aliveFaces));
         while (!queue_.empty()) {
             const auto [bound, v] = queue_.top();
             queue_.pop();
             if (state_.cornerCount[v] == 0 || bound != state_.key[v]) continue; // priced again since
-            if (bound >= kRefusedKey) return false;
+            if (bound > kHighestThreshold) return false;
+            if (++visits_ % kVisits == 0) tell();
             step.threshold = queue_.empty() ? kHighestThreshold : std::max(bound, queue_.top().first);
             step.threshold = std::min(step.threshold, kHighestThreshold);
             VertexVisitor visitor(state_, workspace_, poolEnd_);
@@ -126,7 +136,7 @@ class StrictOrder
                 QueueAround();
                 return true;
             }
-            if (state_.key[v] < kRefusedKey) queue_.emplace(state_.key[v], v);
+            if (state_.key[v] <= kHighestThreshold) queue_.emplace(state_.key[v], v);
         }
         return false;
     }
