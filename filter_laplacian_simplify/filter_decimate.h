@@ -94,8 +94,6 @@ vcg_ext::DecimationReport ReportUnchanged(const Mesh& mesh, bool measureError)
 }
 
 constexpr const char* kLayerSuffix = "_simplified";
-constexpr const char* kStrictIgnoresAttributes =
-    "Order strict does not transfer attributes: the remaining vertices and faces keep theirs";
 
 /// Goes on with a copy of the current mesh in a new layer, with everything that it carries.
 template <class Host>
@@ -197,7 +195,6 @@ Report DecimateCurrentMesh(Host& host, const Values& values, const DecimationWis
     try {
         outcome = DecimateValue(host.Mesh(), target, wishes, std::ref(progress), simplify);
         if (outcome.result) layout = outcome.result->attributes;
-        if (outcome.result && outcome.result->attributesIgnored) host.Log(kStrictIgnoresAttributes);
         errorLine = Commit(host, outcome, wishes.newLayer ? kLayerSuffix : "", wishes.cleanInput);
     } catch (const vcg_ext::Cancelled&) {
         outcome.report = ReportCancelled(host.Mesh());

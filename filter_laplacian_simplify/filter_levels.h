@@ -108,7 +108,6 @@ Report ApplyLevelsOfDetail(Host& host, const Values& values)
     parameters.progress = std::ref(progress);
     parameters.guidance = Guidance(host.Mesh(), values.Integer("descriptor"), parameters.threads);
     auto results = vcg_ext::DecimateLevels(host.Mesh(), parameters, named.levels);
-    if (results.front().attributesIgnored) host.Log(kStrictIgnoresAttributes);
     const vcg_ext::AttributeLayout layout = results.front().attributes; // of all of them
     std::vector<Outcome> outcomes = OutcomesOf(host.Mesh(), std::move(results), named.levels, parameters,
                                                values.Boolean("error_as_quality"));

@@ -228,30 +228,120 @@ def noisy_scan() -> Mesh:
     return Mesh(positions, triangulated(quads))
 
 
+class Cube:
+    """A cube from -1 to 1 whose sides are grids that meet along its edges."""
+
+    def __init__(self, steps: int) -> None:
+        t = np.linspace(-1, 1, steps)
+        self.u, self.v = (values.ravel() for values in np.meshgrid(t, t, indexing="ij"))
+        """Of the points of every side."""
+        self.faces = triangulated(grid_quads(steps, steps))
+        """Of a side."""
+        corners = []
+        for side in range(6):
+            axis, sign = side // 2, 1 - 2 * (side % 2)
+            point = np.empty((self.u.size, 3))
+            point[:, axis], point[:, (axis + 1) % 3], point[:, (axis + 2) % 3] = sign, self.u, sign * self.v
+            corners.append(point)
+        whole = np.round(np.concatenate(corners) * (steps - 1)).astype(int)
+        points, index = np.unique(whole, axis=0, return_inverse=True)
+        self.positions = points / (steps - 1)
+        self.index = index.reshape(-1)
+        """The position of every point, one side after the other."""
+
+    def all_faces(self) -> np.ndarray:
+        """Of points, one side after the other."""
+        return np.concatenate([self.faces + side * self.u.size for side in range(6)])
+
+
 def textured_box() -> tuple[TexturedMesh, np.ndarray]:
     """A box with bulging sides: six charts, so that every edge of the box is a texture seam."""
-    steps = 17
-    t = np.linspace(-1, 1, steps)
-    u, v = (values.ravel() for values in np.meshgrid(t, t, indexing="ij"))
-    corners, texture_coordinates, faces = [], [], []
+    cube = Cube(17)
+    texture_coordinates = []
     for side in range(6):
-        axis, sign = side // 2, 1 - 2 * (side % 2)
-        point = np.empty((u.size, 3))
-        point[:, axis], point[:, (axis + 1) % 3], point[:, (axis + 2) % 3] = sign, u, sign * v
-        corners.append(point)
         cell = np.array([side % 3, side // 3])
         margin = 0.9
-        texture_coordinates.append((cell + 0.5 + 0.5 * margin * np.stack([u, v], axis=1)) / np.array([3, 2]))
-        faces.append(triangulated(grid_quads(steps, steps)) + side * u.size)
-    points, index = np.unique(np.round(np.concatenate(corners) * (steps - 1)).astype(int), axis=0, return_inverse=True)
-    cube = points / (steps - 1)
-    bulge = np.prod(1 - 0.85 * cube**2, axis=1)[:, None]
-    positions = cube * (1 + 0.9 * bulge) * np.array([1.2, 1.0, 0.8])
-    texture_faces = np.concatenate(faces)
-    mesh_faces = index.reshape(-1)[texture_faces]
+        in_cell = 0.5 + 0.5 * margin * np.stack([cube.u, cube.v], axis=1)
+        texture_coordinates.append((cell + in_cell) / np.array([3, 2]))
+    bulge = np.prod(1 - 0.85 * cube.positions**2, axis=1)[:, None]
+    positions = cube.positions * (1 + 0.9 * bulge) * np.array([1.2, 1.0, 0.8])
+    texture_faces = cube.all_faces()
+    mesh_faces = cube.index[texture_faces]
     normals = vertex_normals(positions, mesh_faces)
     mesh = TexturedMesh(positions, mesh_faces, np.concatenate(texture_coordinates), texture_faces, normals)
     return mesh, checkered_texture()
+
+
+MIRRORED_SCALE = np.array([3, 1])
+"""Cells of the textures of mirrored_box: three beside each other, one for each side of its material."""
+
+
+def mirrored_box() -> TexturedMesh:
+    """The same shape, leaning, with two charts a side, the second of them mirrored onto the first in the texture. Each
+    of two materials has three sides."""
+    cube, margin = Cube(15), 0.9
+    texture_coordinates, texture_faces = [], []
+    for side in range(6):
+        for half in range(2):
+            u, v = (cube.u, cube.v) if half == 0 else (cube.u + 1, -cube.v)
+            cell = np.array([side % 3, 0])
+            in_cell = 0.5 + 0.5 * margin * np.stack([2 * u - 1, v], axis=1)
+            texture_coordinates.append((cell + in_cell) / MIRRORED_SCALE)
+            right = cube.u[cube.faces].mean(axis=1) > 0
+            texture_faces.append(cube.faces[right == (half == 0)] + (2 * side + half) * cube.u.size)
+    texture_faces = np.concatenate(texture_faces)
+    per_chart = cube.u.size
+    chart, point = texture_faces // per_chart, texture_faces % per_chart
+    bulge = np.prod(1 - 0.85 * cube.positions**2, axis=1)[:, None]
+    positions = cube.positions * (1 + 0.9 * bulge) * np.array([1.2, 1.0, 0.8])
+    positions[:, 0] += 0.2 * positions[:, 2] ** 2
+    mesh_faces = cube.index[chart // 2 * per_chart + point]
+    used, texture_faces = np.unique(texture_faces, return_inverse=True)
+    return TexturedMesh(
+        positions,
+        mesh_faces,
+        np.concatenate(texture_coordinates)[used],
+        texture_faces.reshape(-1, 3),
+        vertex_normals(positions, mesh_faces),
+        materials=chart[:, 0] // 6,
+    )
+
+
+def field_texture(colors: list[tuple[int, int, int]]) -> np.ndarray:
+    """Fields of one color each beside each other, checkered."""
+    row, column = np.meshgrid(np.arange(32), np.arange(32 * len(colors)), indexing="ij")
+    dark = ((row // 4 + column // 4) % 2)[..., None]
+    return (np.array(colors)[column // 32] * (1 - 0.35 * dark)).astype(np.uint8)
+
+
+def egg(steps: int) -> tuple[np.ndarray, np.ndarray]:
+    """Points in all directions, more of them than is needed anywhere, and faces."""
+    cube = Cube(steps)
+    sphere = cube.positions / np.linalg.norm(cube.positions, axis=1, keepdims=True)
+    positions = sphere * np.array([1.0, 1.0, 1.3])
+    positions[:, :2] *= (1 - 0.2 * sphere[:, 2])[:, None]
+    return positions, cube.index[cube.all_faces()]
+
+
+def painted_egg() -> Mesh:
+    """An egg whose color changes little by little from bottom to top, with spots that have a hard border."""
+    positions, faces = egg(29)
+    part = (positions[:, 2] / 1.3 + 1) / 2
+    colors = (1 - part)[:, None] * np.array([40, 90, 170]) + part[:, None] * np.array([240, 220, 150])
+    spots = np.array([[0.9, 0.2, 0.5], [-0.6, 0.8, 0.1], [-0.3, -0.9, 0.6], [0.5, -0.7, -0.9]])
+    near = np.linalg.norm(positions[:, None] - spots[None], axis=2).min(axis=1)
+    colors[near < 0.42] = (200, 30, 60)
+    return Mesh(positions, faces, vertex_colors=np.floor(colors + 0.5))
+
+
+def parted_egg() -> Mesh:
+    """An egg of five parts, each with a color of its own at its faces."""
+    positions, faces = egg(25)
+    centers = positions[faces].mean(axis=1)
+    longitude = np.floor((np.arctan2(centers[:, 1], centers[:, 0]) / (2 * np.pi) + 0.5) * 3).astype(int)
+    part = np.where(centers[:, 2] > 0.85, 3, np.where(centers[:, 2] < -0.7, 4, np.clip(longitude, 0, 2)))
+    colors = np.array([(230, 90, 60), (70, 150, 220), (240, 190, 60), (90, 180, 100), (150, 100, 190)])
+    return Mesh(positions, faces, face_colors=colors[part])
 
 
 def vertex_normals(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -280,6 +370,8 @@ PLY_MESHES = {
     "leaves_and_cones.ply": non_manifold_surface,
     "bracket_quads.ply": quad_mesh,
     "relief_scan.ply": noisy_scan,
+    "painted_egg.ply": painted_egg,
+    "parted_egg.ply": parted_egg,
 }
 
 
@@ -288,7 +380,12 @@ def main(folder: Path) -> None:
     for name, make in PLY_MESHES.items():
         write_ply(folder / name, make(), "Laplacian Simplify sample mesh, CC0-1.0")
     mesh, texture = textured_box()
-    write_obj(folder / "painted_box.obj", mesh, texture)
+    write_obj(folder / "painted_box.obj", mesh, {"painted": (folder / "painted_box.png", texture)})
+    materials = {
+        "warm": (folder / "mirrored_box_warm.png", field_texture([(230, 90, 60), (240, 190, 60), (190, 60, 120)])),
+        "cold": (folder / "mirrored_box_cold.png", field_texture([(70, 150, 220), (90, 180, 100), (150, 100, 190)])),
+    }
+    write_obj(folder / "mirrored_box.obj", mirrored_box(), materials)
 
 
 if __name__ == "__main__":

@@ -45,9 +45,9 @@ void ForgetAdjacency(Mesh& mesh)
 /// Puts a result into the mesh it was made from: survivors keep their flags, their selection and what the
 /// layout does not name, everything else that was on a face goes; polygons stay where all of their faces
 /// stayed as they were; the mesh is compact afterwards and adjacency is rebuilt where the mesh has it.
-/// Normals and the box are the caller's. \param dropUnreferenced vertices that were on no face go, too
-/// \param layout of the result's corner values; where it names none, survivors keep all of their attributes
-/// \pre mesh has not changed since Decimate
+/// Normals of vertices and faces and the box are the caller's. \param dropUnreferenced vertices that were on
+/// no face go, too \param layout of the result's corner values; where it names none, survivors keep all of
+/// their attributes \pre mesh has not changed since Decimate
 template <class Mesh>
 void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferenced = false,
                      const AttributeLayout& layout = {})
@@ -64,7 +64,9 @@ void ApplyDecimation(Mesh& mesh, const DecimatedMesh& result, bool dropUnreferen
     }
     decimation_detail::ForgetAdjacency(mesh);
     std::optional<AttributeWriter<Mesh>> attributes;
-    if (!layout.attributes.empty() || layout.vertexTextures) attributes.emplace(mesh, layout, result, live);
+    if (!layout.attributes.empty() || layout.vertexTextures || !result.cornerSides.empty() ||
+        vcg::tri::HasPerWedgeNormal(mesh))
+        attributes.emplace(mesh, layout, result, live);
     for (std::size_t v = 0; v < result.positions.size(); ++v) {
         const auto& p = result.positions[v];
         mesh.vert[result.vertexOrigin[v]].P() =

@@ -18,6 +18,7 @@
 #include "vcg_ext/mesh_arrays.h"
 #include "vcg_ext/mesh_attributes.h"
 #include "vcg_ext/ordered/decimate.h"
+#include "vcg_ext/wedge_normals.h"
 
 namespace vcg_ext
 {
@@ -29,12 +30,14 @@ struct MeshDecimationParameters : DecimationParameters {
     std::vector<float> guidance; ///< descriptor in [0, 1], one a mesh.vert element; empty: the Laplacian one
     bool keepAttributes = true;  ///< what the mesh carries guides and is transferred: MeshAttributes
     bool keepQuality = true;     ///< the vertex quality, too
+    /// The normals of vertices are their author's, so that vertices doubled along a hard edge make it a seam.
+    /// Those that were computed from the faces differ along every crack, and say nothing.
+    bool vertexNormalsAreShading = false;
 };
 
 /// A simplification of a VCG mesh.
 struct MeshSimplification : Simplification {
-    AttributeLayout attributes;     ///< of the corner values
-    bool attributesIgnored = false; ///< the mesh has attributes that order strict does not know
+    AttributeLayout attributes; ///< of the corner values
 };
 
 /// Simplify, for both orders. An error bound is kept by the sweeps alone.
@@ -66,10 +69,12 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
                            AttributeReading{parameters.keepQuality, parameters.cleanInput,
                                             WeldDistance(view, parameters), parameters.threads});
     const CornerAttributes* const corners = attributes ? attributes->Corners() : nullptr;
-    const bool ignored = corners && parameters.order == Order::Strict;
-    if (!ignored) view.attributes = corners;
+    view.attributes = corners;
+    std::optional<MeshNormals<Mesh>> normals;
+    if (parameters.keepAttributes)
+        normals.emplace(mesh, parameters.cleanInput && parameters.vertexNormalsAreShading).AddTo(view);
     std::vector<std::uint32_t> keys;
-    if (parameters.cleanInput && (ignored || !parameters.keepAttributes)) keys = AttributeKeys(mesh);
+    if (parameters.cleanInput && !parameters.keepAttributes) keys = AttributeKeys(mesh);
     if (!keys.empty()) view.vertexKeys = keys.data();
     std::vector<Simplification> ofArrays = run(view);
     std::vector<MeshSimplification> results;
@@ -77,8 +82,8 @@ std::vector<MeshSimplification> OnArraysOf(const Mesh& mesh, const MeshDecimatio
     for (Simplification& result : ofArrays) {
         const auto& cleaning = result.report.cleaning;
         const bool doubled = cleaning && cleaning->weldedVertices > 0;
-        results.push_back({std::move(result), {}, ignored});
-        if (!view.attributes) continue;
+        results.push_back({std::move(result), {}});
+        if (!view.attributes && results.back().mesh.cornerSides.empty()) continue;
         results.back().attributes = attributes->Layout();
         results.back().attributes.doubledVertices = doubled;
     }

@@ -33,6 +33,7 @@ VCG_EXT_INLINE Simplification Decimate(const MeshView& view, const DecimationPar
     stages.guardsCrossings = true;
     stages.collapseEnds = stages.refine ? 64 : stages.repairBegins;
     const auto collapse = [&](const MeshView& mesh, KeptForLater kept, const StageProgress& progress) {
+        if (mesh.attributes) return SweepCollapse{parameters, nullptr}(mesh, kept, progress);
         return CollapseInOrder(mesh, parameters, kept, progress);
     };
     return OnCleanInput(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,13 +16,15 @@
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/attribute_access.h"
 #include "vcg_ext/mesh_attribute.h"
+#include "vcg_ext/wedge_normals.h"
 
 namespace vcg_ext
 {
 
 /// Puts the values of a result's corners back to where MeshAttributes had them from. What has not changed is
 /// not written, so that it keeps its bits. A vertex has one value: the mean of its corners, or, in a mesh
-/// whose vertices were doubled along seams, one for each side, and then a vertex for each side, too.
+/// whose vertices were doubled along seams, one for each side, and then a vertex for each side, too. Normals
+/// of wedges are computed anew, for each side of hard edges.
 template <class Mesh>
 class AttributeWriter
 {
@@ -63,6 +66,7 @@ class AttributeWriter
                     if (attribute.components[c].HasChannel())
                         WriteComponent(attribute.Row().place, attribute.components[c], c, access);
             });
+        if (vcg::tri::HasPerWedgeNormal(mesh_)) WriteNormals();
         if (!layout_.vertexTextures || !layout_.doubledVertices) return;
         ForEachGroup([&](const Group& group, std::size_t begin) {
             mesh_.vert[group.vertex].T().N() = textures_[corners_[begin]];
@@ -152,6 +156,8 @@ class AttributeWriter
         const std::uint32_t leader = there == to ? *from : *there;
         const auto alike = [&](std::uint32_t i) {
             if (!textures_.empty() && textures_[i] != textures_[leader]) return false;
+            const auto& sides = result_.cornerSides;
+            if (!sides.empty() && sides[i] != sides[leader]) return false;
             return std::all_of(tolerances.begin(), tolerances.end(), [&](const Tolerance& tolerance) {
                 const float apart = Value(i, tolerance.channel) - Value(leader, tolerance.channel);
                 return std::fabs(apart) <= tolerance.largest;
@@ -189,6 +195,22 @@ class AttributeWriter
                 custom._handle->CopyValue(group.vertex, group.source, custom._handle);
             for (std::size_t i = first; i < group.end; ++i)
                 FaceOf(corners_[i] / 3).V(static_cast<int>(corners_[i] % 3)) = &mesh_.vert[group.vertex];
+        }
+    }
+
+    /// Sides of vertices all of whose faces are as they were keep theirs, and so do those without area.
+    void WriteNormals()
+    {
+        const std::vector<std::size_t> first = FirstCornersOfSides(result_);
+        const std::vector<Vector3<double>> normals = CornerNormals(result_, first);
+        std::vector<std::uint8_t> keeps(CornerCount(), 1); // by first corners
+        for (std::size_t i = 0; i < CornerCount(); ++i) keeps[first[i]] &= untouched_[i / 3];
+        for (std::size_t i = 0; i < CornerCount(); ++i) {
+            if (keeps[first[i]] || !(LargestComponent(normals[i]) > 0)) continue;
+            auto& normal = FaceOf(i / 3).WN(static_cast<int>(i % 3));
+            using Number = std::decay_t<decltype(normal[0])>;
+            normal = {static_cast<Number>(normals[i].x), static_cast<Number>(normals[i].y),
+                      static_cast<Number>(normals[i].z)};
         }
     }
 

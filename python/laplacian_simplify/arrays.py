@@ -13,6 +13,7 @@ import numpy as np
 from .attributes import Attributes, Channels
 from .library import MeshArrays, Outcome, Progress, run
 from .report import DecimationReport, StopReason
+from .small import Small
 from .tables import Filter
 
 Array: TypeAlias = np.ndarray[Any, Any]
@@ -108,7 +109,7 @@ def simplify_arrays(
         "threads",
     )
     parameters = {name: values[name] or 0 for name in passed}
-    if channels.are_there:
+    if channels.are_there and values["keep_attributes"]:
         mesh = _with_attributes(mesh, channels)
     with _progress(options.progress) as progress:
         outcome = run(mesh, {**parameters, "target_faces": target}, progress)
@@ -164,7 +165,15 @@ def _with_attributes(mesh: MeshArrays, channels: Channels) -> MeshArrays:
         return mesh  # which the run refuses
     values = channels.at_corners(indices)
     kinds = None if values is None else np.array(channels.kinds, np.int32)
-    return replace(mesh, corner_values=values, channel_kinds=kinds, labels=channels.labels)
+    of_vertices, of_corners = channels.normals()
+    return replace(
+        mesh,
+        corner_values=values,
+        channel_kinds=kinds,
+        labels=channels.labels,
+        vertex_normals=of_vertices,
+        corner_normals=of_corners,
+    )
 
 
 def _require_array(name: str, value: Any, kind: str, fits: Callable[[np.dtype[Any]], bool]) -> None:
@@ -228,17 +237,19 @@ def _simplified(vertices: Array, faces: Array, outcome: Outcome, channels: Chann
         return Simplified(np.array(vertices), np.array(faces), report, *origins, **channels.results(None, *origins))
     values, small, origin = outcome.corner_values, outcome.faces, outcome.vertex_origin
     positions = outcome.vertices
-    if values is not None:
-        old, small = channels.split(small, values, len(positions))
+    if values is not None or outcome.corner_sides is not None:
+        old, small = channels.split(small, values, len(positions), outcome.corner_sides)
         positions, origin = positions[old], origin[old]
         report = replace(report, vertices=len(positions))
+    unchanged = not outcome.steps and len(small) == len(faces)
+    made = None if unchanged else Small(positions, small, outcome.corner_sides)
     return Simplified(
         positions.astype(vertices.dtype, copy=False),
         small.astype(faces.dtype, copy=False),
         report,
         origin,
         outcome.face_origin,
-        **channels.results(values, origin, outcome.face_origin, small),
+        **channels.results(values, origin, outcome.face_origin, made),
     )
 
 

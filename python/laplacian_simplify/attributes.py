@@ -4,6 +4,8 @@
 
 A value of a vertex is at all corners that the vertex has. Vertices at the same place, as a texture that is stored at
 vertices makes them along its seams, are welded for the run; afterwards one that has several values is split again.
+Normals are not interpolated: where those at one place are apart, an edge is hard and a seam, and those of the result
+are computed from its faces, on each side of such edges.
 """
 
 from collections.abc import Mapping
@@ -12,14 +14,18 @@ from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
-Array: TypeAlias = np.ndarray[Any, Any]
-Kind: TypeAlias = Literal["texture", "color", "scalar", "origin"]
+from .small import Small
 
-KINDS = ("texture", "color", "scalar", "origin")
-"""Texture coordinates, colors and numbers are interpolated; the value of what remains is taken, not interpolated."""
+Array: TypeAlias = np.ndarray[Any, Any]
+Kind: TypeAlias = Literal["texture", "color", "scalar", "normal", "origin"]
+
+KINDS = ("texture", "color", "scalar", "normal", "origin")
+"""Texture coordinates, colors and numbers are interpolated, normals computed anew; of others the value of what remains
+is taken."""
 _NUMBERS: dict[Kind, int] = {"texture": 0, "color": 1, "scalar": 2}
 _TEXTURE_NAMES = ("uv", "texcoord", "tex_coord", "texture", "tcoord", "vt")
 _COLOR_NAMES = ("color", "colour", "rgb")
+_NORMAL_NAMES = {"normals", "normal", "pointnormals", "cellnormals", "vertexnormals", "cornernormals"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +58,14 @@ def kind_of(name: str, values: Array, columns: int) -> Kind:
         return "color"
     if not is_float:
         return "origin"
+    if columns == 3 and is_normal(name):
+        return "normal"
     return "texture" if columns == 2 and _sounds(plain, _TEXTURE_NAMES) else "scalar"
+
+
+def is_normal(name: str) -> bool:
+    """Whether it names normals."""
+    return name.lower().replace("_", "") in _NORMAL_NAMES
 
 
 def _sounds(name: str, words: tuple[str, ...]) -> bool:
@@ -107,6 +120,7 @@ class Channels:
         self._counts = vertices, faces
         self.kinds: list[int] = []
         self._columns: list[_Column] = []
+        self._normals: dict[str, bool] = {}  # whether they are at corners
         _check_kinds(attributes)
         for name, values in attributes.vertex.items():
             self._add(f"vertex_attributes[{name!r}]", name, values, False)
@@ -117,7 +131,7 @@ class Channels:
     @property
     def are_there(self) -> bool:
         """Whether there is anything that can guide."""
-        return bool(self._columns) or self.labels is not None
+        return bool(self._columns) or bool(self._normals) or self.labels is not None
 
     @property
     def has_texture(self) -> bool:
@@ -139,6 +153,9 @@ class Channels:
             raise ValueError(f"{shown} has the shape {values.shape}, not ({expected}) or ({expected}, k)")
         count = int(values.shape[-1]) if values.ndim > len(shape) else 1
         _check_kind(shown, values, kind, count)
+        if kind == "normal":
+            self._normals[name] = at_corners
+            return
         scale, shift = _scaled(values, kind, count)
         column = _Column(name, values, at_corners, len(self.kinds), count, kind, scale, shift)
         with np.errstate(over="ignore", invalid="ignore"):
@@ -159,21 +176,40 @@ class Channels:
             part[...] = numbers if column.at_corners else numbers[faces]
         return channels
 
-    def split(self, faces: Array, channels: Array, count: int) -> tuple[Array, Array]:
-        """One vertex for each tuple of values that the arrays at vertices have at a vertex.
+    def normals(self) -> tuple[Array | None, Array | None]:
+        """Normals of vertices, (n, 3), and of corners, (m, 3, 3), of float32: the first that there are."""
+        found: dict[bool, Array] = {}
+        for name, at_corners in self._normals.items():
+            values = (self.attributes.corner if at_corners else self.attributes.vertex)[name]
+            found.setdefault(at_corners, np.ascontiguousarray(values, np.float32))
+        return found.get(False), found.get(True)
+
+    def split(
+        self, faces: Array, channels: Array | None, count: int, sides: Array | None = None
+    ) -> tuple[Array, Array]:
+        """One vertex for each tuple of values that the arrays at vertices have at a vertex, and for each side of a hard
+        edge where normals of vertices made it.
 
         Args:
             faces: (m, 3).
-            channels: (m, 3, k), what became of at_corners.
+            channels: (m, 3, k), what became of at_corners; None where there are none.
             count: of vertices.
+            sides: (m, 3), where there are hard edges.
 
         Returns:
             The old vertex of each new one, ascending, and the faces with the new ones.
         """
         places = [k for c in self._columns if not c.at_corners for k in range(c.first, c.first + c.count)]
         corners = faces.ravel()
-        values = channels[:, :, places] + np.float32(0)  # which makes a plain zero of a negative one
-        bits = values.reshape(len(corners), len(places)).view(np.uint32)
+        parts = []
+        if channels is not None:
+            values = channels[:, :, places] + np.float32(0)  # which makes a plain zero of a negative one
+            parts.append(values.reshape(len(corners), len(places)).view(np.uint32))
+        if sides is not None and False in self._normals.values():
+            parts.append(sides.reshape(-1, 1))
+        if not parts:
+            return np.arange(count), faces
+        bits = np.concatenate(parts, axis=1)
         representative = np.zeros(count, np.intp)
         representative[corners[::-1]] = np.arange(len(corners))[::-1]  # the first corner of each
         other = (bits != bits[representative[corners]]).any(axis=1)
@@ -190,7 +226,7 @@ class Channels:
         return origin[order], place[split].reshape(faces.shape).astype(faces.dtype)
 
     def results(
-        self, channels: Array | None, vertex_origin: Array, face_origin: Array, faces: Array | None = None
+        self, channels: Array | None, vertex_origin: Array, face_origin: Array, small: Small | None = None
     ) -> dict[str, Any]:
         """What the arrays at vertices and at corners and the labels have become, under the names of Simplified.
 
@@ -198,29 +234,43 @@ class Channels:
             channels: (m, 3, k) of the result; None where all have kept their values.
             vertex_origin: the input's vertex of each.
             face_origin: the input's face of each.
-            faces: (m, 3), of the result after its split; not needed without channels.
+            small: the result after its split; None where it is the input.
         """
         given = self.attributes
         vertex = {name: values[vertex_origin] for name, values in given.vertex.items()}
         corner = {name: values[face_origin] for name, values in given.corner.items()}
         for column in self._columns:
-            if channels is None or faces is None:
+            if channels is None or small is None:
                 break
             part = channels[:, :, column.first : column.first + column.count]
             if column.at_corners:
                 corner[column.name] = column.restored(part, corner[column.name])
                 continue
             numbers = column.numbers(vertex[column.name])  # vertices without faces keep theirs
-            numbers[faces.ravel()] = part.reshape(-1, column.count)
+            numbers[small.faces.ravel()] = part.reshape(-1, column.count)
             vertex[column.name] = column.restored(numbers, vertex[column.name])
+        if small is not None and self._normals:
+            self._compute_normals(small.corner_normals(vertex_origin), small.faces, vertex, corner)
         labels = None if given.labels is None else given.labels[face_origin]
         return {"vertex_attributes": vertex, "corner_attributes": corner, "face_labels": labels}
 
+    def _compute_normals(
+        self, normals: Array, faces: Array, vertex: dict[str, Array], corner: dict[str, Array]
+    ) -> None:
+        found = normals.any(axis=2)  # what has no area keeps its own, and so do vertices without faces
+        for name, at_corners in self._normals.items():
+            if at_corners:
+                corner[name] = np.where(found[..., None], normals.astype(corner[name].dtype), corner[name])
+            else:
+                vertex[name] = np.array(vertex[name])
+                vertex[name][faces[found]] = normals[found]
+
     def unused(self) -> "Channels":
-        """The same arrays, whose values are those of what remains."""
+        """The same arrays, whose values are those of what remains; only normals are computed anew."""
         names = [*self.attributes.vertex, *self.attributes.corner]
         vertices, faces = self._counts
-        unused = Channels(replace(self.attributes, kinds=dict.fromkeys(names, "origin")), vertices, faces)
+        kinds: dict[str, Kind] = {name: "normal" if name in self._normals else "origin" for name in names}
+        unused = Channels(replace(self.attributes, kinds=kinds), vertices, faces)
         unused.labels = None
         return unused
 
@@ -246,14 +296,18 @@ def _check_kinds(attributes: Attributes) -> None:
 
 
 def _check_kind(shown: str, values: Array, kind: Kind, count: int) -> None:
-    fits = values.dtype.kind == "f" if kind == "texture" else values.dtype.kind in "fiu"
+    fits = values.dtype.kind == "f" if kind in ("texture", "normal") else values.dtype.kind in "fiu"
     if kind == "color" and values.dtype.kind != "f":
         fits = values.dtype in (np.uint8, np.uint16)
     if not fits:
-        wanted = {"texture": "floats", "color": "floats, uint8 or uint16", "scalar": "numbers"}[kind]
+        wanted = {"texture": "floats", "color": "floats, uint8 or uint16", "scalar": "numbers", "normal": "floats"}[
+            kind
+        ]
         raise TypeError(f"{shown} must be an array of {wanted}, not of {values.dtype}")
     if kind == "texture" and count != 2:
         raise ValueError(f"{shown} must have two columns, u and v, not {count}")
+    if kind == "normal" and count != 3:
+        raise ValueError(f"{shown} must have three columns, not {count}")
 
 
 def _scaled(values: Array, kind: Kind, count: int) -> tuple[float, Array]:

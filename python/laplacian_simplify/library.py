@@ -41,6 +41,10 @@ class MeshArrays:
     """int32, (k,)."""
     labels: np.ndarray[Any, Any] | None = None
     """int32, (m,)."""
+    vertex_normals: np.ndarray[Any, Any] | None = None
+    """float32, (n, 3)."""
+    corner_normals: np.ndarray[Any, Any] | None = None
+    """float32, (m, 3, 3)."""
     shared_seams: bool = False
     """Locked vertices are those of other meshes, too: no new edge joins two of them, as another mesh might make it."""
 
@@ -68,6 +72,8 @@ class Outcome:
     face_origin: np.ndarray[Any, Any]
     corner_values: np.ndarray[Any, Any] | None
     """float32, (m, 3, k); None where there were none, and where nothing was done."""
+    corner_sides: np.ndarray[Any, Any] | None
+    """uint32, (m, 3): those of a vertex differ where it is on a hard edge; None where there is no hard edge."""
     report: dict[str, Any]
     attributes: AttributeNumbers | None
     """None where there were none, and where nothing was done."""
@@ -140,6 +146,8 @@ def _as_given(mesh: MeshArrays) -> MeshStructure:
         channel_kinds=place(mesh.channel_kinds),
         channel_count=0 if mesh.channel_kinds is None else len(mesh.channel_kinds),
         face_labels=place(mesh.labels),
+        vertex_normals=place(mesh.vertex_normals),
+        corner_normals=place(mesh.corner_normals),
         shared_seams=mesh.shared_seams,
     )
 
@@ -177,6 +185,7 @@ def _outcome(mesh: MeshArrays, result: ResultStructure) -> Outcome:
         _copied(result.vertex_origin, (result.vertex_count,), np.intp),
         _copied(result.face_origin, (result.face_count,), np.intp),
         _corner_values(mesh, result),
+        _copied(result.corner_sides, (result.face_count, 3), np.uint32) if result.corner_sides else None,
         report,
         _attribute_numbers(result),
         tuple((result.steps[k].cost, result.steps[k].faces) for k in range(result.step_count)),

@@ -25,6 +25,8 @@ class MeshStructure(ctypes.Structure):
         ("channel_kinds", c_void_p),
         ("channel_count", c_uint64),
         ("face_labels", c_void_p),
+        ("vertex_normals", c_void_p),
+        ("corner_normals", c_void_p),
     ]
 
 
@@ -85,6 +87,7 @@ class ResultStructure(ctypes.Structure):
         ("has_certificate", c_int32),
         ("certified_error", c_double),
         ("corner_values", ctypes.POINTER(c_float)),
+        ("corner_sides", ctypes.POINTER(c_uint32)),
         ("has_attributes", c_int32),
         ("charts", c_uint64),
         ("turned_faces", c_uint64),

@@ -164,9 +164,11 @@ def simplify(
         corner_attributes: the same at the corners of the faces, (m, 3) or (m, 3, k).
         face_labels: materials or parts, integers, (m,): seams run between different ones.
         attribute_kinds: what a named array holds, where type, shape and name do not tell it: "texture", "color" (floats
-            in 0..1, uint8 or uint16), "scalar" (any number, interpolated) or "origin" (the value of what remains). By
-            default bytes in three or four columns and floats called color are colors, two columns of floats called uv
-            or texcoord texture coordinates, other floats scalars, and whole numbers are not interpolated.
+            in 0..1, uint8 or uint16), "scalar" (any number, interpolated), "normal" (computed from the result; edges
+            where those at one place are more than 30 degrees apart stay hard) or "origin" (the value of what remains).
+            By default bytes in three or four columns and floats called color are colors, two columns of floats called
+            uv or texcoord texture coordinates, three called normals are such, other floats scalars, and whole numbers
+            are not interpolated.
         progress: called with percent and stage, in this thread; returning False stops the run, which then gives
             the mesh as it came. True shows a bar.
         return_result: for a mesh of another library: return it with the result that it was built from.

@@ -146,6 +146,8 @@ void Take(const Mesh& mesh, const Parameters& parameters, Input& input)
     TakeFaces(mesh, input);
     CheckPositions(view);
     TakeAttributes(mesh, input);
+    view.vertexNormals = mesh.vertex_normals;
+    view.cornerNormals = mesh.corner_normals;
     if (mesh.selected_faces) FixOutsideSelection(mesh, input);
     if (parameters.descriptor == LAPLACIAN_SIMPLIFY_LAPLACIAN) return;
     for (const double value : vcg_ext::RescaledToUnit(DescriptorOf(mesh, view, parameters)))

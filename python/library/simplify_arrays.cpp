@@ -174,6 +174,7 @@ void HandOver(vcg_ext::Simplification done, Result& result)
     result.vertex_origin = mesh.vertexOrigin.data();
     result.face_origin = mesh.faceOrigin.data();
     if (!mesh.cornerValues.empty()) result.corner_values = mesh.cornerValues.data();
+    if (!mesh.cornerSides.empty()) result.corner_sides = mesh.cornerSides.data();
     result.step_count = storage->steps.size();
     result.steps = storage->steps.data();
     result.descriptor_scale = done.report.trace.descriptorScale;

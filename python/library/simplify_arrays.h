@@ -30,6 +30,10 @@ struct laplacian_simplify_mesh {
     const std::int32_t* channel_kinds; ///< one a channel; may be null where there are none
     std::uint64_t channel_count;
     const std::int32_t* face_labels; ///< one a face: seams run between different ones; may be null
+    /// Normals that the surface is shaded with, three numbers a vertex or, which count more, a corner: seams
+    /// run along hard edges, where they are apart. May be null.
+    const float* vertex_normals;
+    const float* corner_normals;
 };
 
 /// What a channel is.
@@ -113,6 +117,9 @@ struct laplacian_simplify_result {
     /// As those of the mesh. Null where it had none, and where nothing was simplified: then they are what
     /// face_origin had.
     const float* corner_values;
+    /// One a corner: those of a vertex with different ones are on different sides of a hard edge. Null: there
+    /// is no hard edge.
+    const std::uint32_t* corner_sides;
     std::int32_t has_attributes; ///< 0: there were none, or nothing was simplified
     std::uint64_t charts;        ///< of the original
     std::uint64_t turned_faces;  ///< whose texture has turned over against what most of their chart has

@@ -40,6 +40,16 @@ def textured_box(side: int = 21) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return places, np.concatenate(faces), np.concatenate(texture)
 
 
+def shaded_box() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The box with vertices of its own on every side, and normals of those: hard edges."""
+    vertices, faces, _ = textured_box()
+    corners = vertices[faces]
+    normals = np.zeros_like(vertices)
+    for k in range(3):
+        np.add.at(normals, faces[:, k], np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    return vertices, faces, normals / np.linalg.norm(normals, axis=1, keepdims=True)
+
+
 def cells_of(corners: np.ndarray) -> np.ndarray:
     """The cell of every face's three corners, (m, 3)."""
     column, row = np.floor(corners[..., 0] * CELLS), np.floor(corners[..., 1] * 2)

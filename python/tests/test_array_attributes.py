@@ -5,9 +5,11 @@
 import numpy as np
 import pytest
 from array_meshes import wave
-from attribute_meshes import affine, cells_of, open_edges, sheet, side_of, textured_box
+from attribute_meshes import affine, cells_of, open_edges, shaded_box, sheet, side_of, textured_box
 
 import laplacian_simplify as ls
+from laplacian_simplify.attributes import Attributes, Channels
+from laplacian_simplify.small import Small
 
 FLOAT = 1e-6
 """Values pass as float32: a part in 2^24 of numbers about 1, a few times."""
@@ -265,3 +267,80 @@ def test_faces_out_of_range_are_refused_with_attributes_too() -> None:
         ls.simplify(V, F + 1, target_faces=5, vertex_attributes={"uv": UV})
     with pytest.raises(ValueError, match="of 2 of 32 faces are outside"):
         ls.simplify(V, (F - 1).astype("u4"), target_faces=5, vertex_attributes={"uv": UV})
+
+
+def test_hard_normals_of_vertices_stay_hard() -> None:
+    vertices, faces, normals = shaded_box()
+    given = {"normals": normals.astype(np.float32)}
+    result = ls.simplify(vertices, faces, target_percent=10, vertex_attributes=given)
+    found = result.vertex_attributes["normals"]
+    assert found.dtype == np.float32
+    assert np.allclose(np.linalg.norm(found, axis=1), 1, atol=FLOAT)
+    side = side_of(result.vertices[result.faces])
+    of_side = np.full(len(result.vertices), -1)
+    for k in range(3):
+        of_side[result.faces[:, k]] = side
+    assert (of_side[result.faces] == side[:, None]).all()  # no vertex is on two sides, so none is shaded by both
+    assert open_edges(result.vertices, result.faces) == 0
+    outward = result.vertices[result.faces].mean(axis=1)
+    assert (np.einsum("ij,ikj->ik", outward, found[result.faces]) > 0).all()
+    assert result.report.attribute_rms is None  # nothing is interpolated
+
+
+def test_hard_normals_of_corners_need_no_doubled_vertices() -> None:
+    vertices, faces, normals = shaded_box()
+    places, place = np.unique(vertices, axis=0, return_inverse=True)
+    given = {"normals": normals[faces]}
+    result = ls.simplify(places, place.reshape(-1)[faces], target_percent=10, corner_attributes=given)
+    found = result.corner_attributes["normals"]
+    assert len(np.unique(result.vertices, axis=0)) == len(result.vertices)  # none is split
+    assert np.allclose(np.linalg.norm(found, axis=2), 1)
+    corners, side = result.vertices[result.faces], side_of(result.vertices[result.faces])
+    ends = corners.reshape(-1, 3)
+    edge = (np.abs(np.abs(ends).max(axis=1) - np.sort(np.abs(ends), axis=1)[:, 1]) < 1e-9).reshape(-1, 3)
+    assert edge.sum() > 20
+    axis = (side % 3)[:, None]
+    along = np.take_along_axis(found, np.repeat(axis[:, None], 3, axis=1), axis=2)[..., 0]
+    assert (along[edge] * np.where(side < 3, 1, -1)[:, None].repeat(3, 1)[edge] > np.cos(np.pi / 4)).all()
+
+
+def test_smooth_normals_are_no_seams_and_are_computed_anew() -> None:
+    vertices, faces, _ = textured_box()
+    smooth = vertices / np.linalg.norm(vertices, axis=1, keepdims=True)
+    plain = ls.simplify(vertices, faces, target_percent=10)
+    found = []
+    for keep in (True, False):
+        given = {"normals": smooth if keep else shaded_box()[2]}
+        result = ls.simplify(vertices, faces, target_percent=10, vertex_attributes=given, keep_attributes=keep)
+        assert np.array_equal(result.vertices, plain.vertices)
+        found.append(result.vertex_attributes["normals"])
+        assert np.allclose(np.linalg.norm(found[-1], axis=1), 1)
+    assert np.array_equal(*found)
+    whole = ls.simplify(vertices, faces, target_percent=100, vertex_attributes={"normals": smooth})
+    assert np.array_equal(whole.vertex_attributes["normals"], smooth)
+
+
+@pytest.mark.parametrize("size", [1e-160, 1.0, 1e160])
+def test_normals_of_any_size_and_of_none(size: float) -> None:
+    places = size * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 2, 2]])
+    made = Small(places, np.array([[0, 1, 2], [3, 3, 3]]), None)
+    assert np.allclose(made.corner_normals(np.arange(4)), [[[0, 0, 1]] * 3, [[0, 0, 0]] * 3])
+    given = {"normals": np.full((4, 3), 0.5)}
+    channels = Channels(
+        Attributes(given, {"at corners": np.full((2, 3, 3), 0.5)}, None, {"at corners": "normal"}), 4, 2
+    )
+    found = channels.results(None, np.arange(4), np.arange(2), made)
+    assert np.allclose(found["vertex_attributes"]["normals"], [[0, 0, 1]] * 3 + [[0.5] * 3])
+    assert np.allclose(found["corner_attributes"]["at corners"], [[[0, 0, 1]] * 3, [[0.5] * 3] * 3])
+
+
+def test_normals_are_checked() -> None:
+    vertices, faces = sheet(5)
+    with pytest.raises(ValueError, match=r"vertex_attributes\['n'\] must have three columns, not 2"):
+        ls.simplify(
+            vertices,
+            faces,
+            target_percent=50,
+            vertex_attributes={"n": vertices[:, :2]},
+            attribute_kinds={"n": "normal"},
+        )

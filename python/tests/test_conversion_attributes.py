@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from array_meshes import wave
-from attribute_meshes import affine, cells_of, open_edges, sheet, side_of, textured_box
+from attribute_meshes import affine, cells_of, open_edges, shaded_box, sheet, side_of, textured_box
 
 import laplacian_simplify as ls
 
@@ -213,3 +213,62 @@ def test_attributes_of_arrays_are_refused() -> None:
     options: dict[str, Any] = {"face_labels": np.zeros(len(wave()[1]), int)}
     with pytest.raises(TypeError, match=r"face_labels is for arrays; a trimesh\.Trimesh has attributes of its own"):
         ls.simplify(mesh, target_percent=10, **options)
+
+
+def assert_hard(vertices: np.ndarray, faces: np.ndarray, normals: np.ndarray) -> None:
+    """No vertex of the shaded box is on two of its sides, and normals of vertices are those of their own side."""
+    side = side_of(vertices[faces])
+    of_side = np.full(len(vertices), -1)
+    for k in range(3):
+        of_side[faces[:, k]] = side
+    assert (of_side[faces] == side[:, None]).all()
+    along = np.abs(normals[np.arange(len(normals)), of_side % 3])
+    assert (along > np.cos(np.pi / 3)).all()
+    assert np.allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-6)
+    assert open_edges(vertices, faces) == 0
+
+
+def test_normals_that_meshlab_computed_make_no_seams() -> None:
+    """It has some for every mesh; where vertices are doubled along an edge, as in STL files, each from its own side."""
+    import pymeshlab
+
+    vertices, faces, _ = shaded_box()
+    mesh = pymeshlab.Mesh(vertices, faces.astype(np.int32))
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.add_mesh(mesh)
+    ls.simplify(mesh_set, target_percent=10)
+    for small in (ls.simplify(mesh, **OPTIONS)[0], mesh_set.current_mesh()):
+        assert len(np.unique(small.vertex_matrix(), axis=0)) == small.vertex_number()
+        assert open_edges(small.vertex_matrix(), small.face_matrix()) == 0
+
+
+def test_hard_normals_of_trimesh_stay_hard() -> None:
+    trimesh = pytest.importorskip("trimesh")
+    vertices, faces, normals = shaded_box()
+    small, _ = ls.simplify(trimesh.Trimesh(vertices, faces, vertex_normals=normals, process=False), **OPTIONS)
+    assert_hard(np.asarray(small.vertices), np.asarray(small.faces), np.asarray(small.vertex_normals))
+
+
+def test_outdated_normals_of_trimesh_say_nothing() -> None:
+    trimesh = pytest.importorskip("trimesh")
+    vertices, faces, normals = shaded_box()
+    mesh = trimesh.Trimesh(vertices, faces, vertex_normals=normals, process=False)
+    mesh.vertices = 2 * vertices
+    small, _ = ls.simplify(mesh, **OPTIONS)
+    assert len(np.unique(small.vertices, axis=0)) == len(small.vertices)
+
+
+def test_hard_normals_of_meshio_stay_hard() -> None:
+    meshio = pytest.importorskip("meshio")
+    vertices, faces, normals = shaded_box()
+    small, _ = ls.simplify(meshio.Mesh(vertices, [("triangle", faces)], point_data={"normals": normals}), **OPTIONS)
+    assert_hard(small.points, small.cells[0].data, small.point_data["normals"])
+
+
+def test_hard_normals_of_pyvista_stay_hard() -> None:
+    pyvista = pytest.importorskip("pyvista")
+    vertices, faces, normals = shaded_box()
+    mesh = pyvista.PolyData.from_regular_faces(vertices, faces)
+    mesh.point_data["Normals"] = normals
+    small, _ = ls.simplify(mesh, **OPTIONS)
+    assert_hard(np.asarray(small.points), np.asarray(small.regular_faces), np.asarray(small.point_data["Normals"]))

@@ -141,3 +141,14 @@ def test_two_bytes_a_character_are_refused(tmp_path: Path) -> None:
 def test_decimal_commas_in_every_line(tmp_path: Path) -> None:
     content = "".join(line.replace(".", ",") for line in obj(BOX + 0.5).splitlines(keepends=True))
     assert_refused(tmp_path / "box.obj", content, "line 1: '0,5' has a decimal comma")
+
+
+def test_hard_edges_are_said_to_be_lost(tmp_path: Path) -> None:
+    """MeshLab has one normal a vertex. Those that differ by little are no edge."""
+    roof = "v 0 0 0\nv 0 1 0\nv -1 0 -1\nv 1 0 -1\n"
+    for lean, notes in (
+        (1.0, ["hard edges left out: MeshLab has one normal a vertex, and 2 vertices have several"]),
+        (0.2, []),
+    ):
+        content = roof + f"vn {-lean} 0 1\nvn {lean} 0 1\nf 1//1 2//1 3//1\nf 2//2 1//2 4//2\n"
+        assert reading_of(tmp_path / "roof.obj", content).notes == notes

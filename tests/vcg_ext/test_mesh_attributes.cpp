@@ -170,7 +170,7 @@ double CentroidX(const Mesh& mesh, std::size_t f)
 constexpr double kSinglePrecision = 1e-5; ///< some hundred times the rounding of numbers about 1
 
 template <class Mesh>
-void CheckLinearAttributesOnAPlane()
+void CheckLinearAttributesOnAPlane(Order order)
 {
     Mesh mesh;
     FillPlain(mesh, Sheet());
@@ -196,7 +196,9 @@ void CheckLinearAttributesOnAPlane()
             f.WT(k).V() = static_cast<float>(other(f.V(k)->P()));
         }
     const std::size_t target = 60;
-    Decimated(mesh, Target(target));
+    auto parameters = Target(target);
+    parameters.order = order;
+    Decimated(mesh, parameters);
     QVERIFY(static_cast<std::size_t>(mesh.fn) <= target);
     const auto near = [](double value, double wanted, double tolerance = 10 * kSinglePrecision) {
         QVERIFY2(std::fabs(value - wanted) < tolerance, qPrintable(QString("%1 %2").arg(value).arg(wanted)));
@@ -244,8 +246,10 @@ class TestMeshAttributes : public QObject
   private slots:
     void linearAttributesOnAPlaneStayExact()
     {
-        CheckLinearAttributesOnAPlane<FloatPainted>();
-        CheckLinearAttributesOnAPlane<DoublePainted>();
+        for (const Order order : {Order::Sweeps, Order::Strict}) {
+            CheckLinearAttributesOnAPlane<FloatPainted>(order);
+            CheckLinearAttributesOnAPlane<DoublePainted>(order);
+        }
     }
 
     void uniformAttributesCostNothing()
@@ -566,20 +570,6 @@ class TestMeshAttributes : public QObject
         QCOMPARE(result.attributes.channels, std::size_t{2});
         for (auto& f : mesh.face)
             for (int k = 0; k < 3; ++k) QCOMPARE(f.WT(k).U(), f.V(k)->T().U());
-    }
-
-    /// Order strict knows no attributes: vertices and faces keep what they had, and it says so.
-    void orderStrictSaysThatItIgnoresThem()
-    {
-        FloatPainted mesh;
-        FillPlain(mesh, Sheet());
-        std::set<float> before;
-        for (auto& v : mesh.vert) before.insert(v.Q() = v.P()[0] + v.P()[1] * 31);
-        auto parameters = Target(100, Effort::Fast);
-        parameters.order = Order::Strict;
-        const MeshSimplification result = Decimated(mesh, parameters);
-        QVERIFY(result.attributesIgnored && result.mesh.cornerValues.empty());
-        for (auto& v : mesh.vert) QVERIFY(before.count(v.Q()));
     }
 
     /// A quality that is no number guides nothing and stays; texture coordinates that are none are refused.

@@ -12,6 +12,7 @@
 #include "vcg_ext/core/base/loop_poll.h"
 #include "vcg_ext/core/base/progress.h"
 #include "vcg_ext/core/mesh/clean_input.h"
+#include "vcg_ext/core/mesh/hard_normals.h"
 #include "vcg_ext/core/mesh/mesh_view.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/pipeline.h"
@@ -34,7 +35,8 @@ inline void NameAsInput(const MeshView& view, const CleanedInput& clean, std::ve
     for (Simplification& level : levels) NameAsInput(view, clean, level);
 }
 
-/// Runs on what is left of a mesh when it has been cleaned, and names faces as the input does.
+/// Runs on what is left of a mesh when it has been cleaned, with its hard edges as seams, and names faces as
+/// the input does.
 /// \param run called as run(view, parameters), returns a Simplification or several
 /// \param cancelled called as cancelled(view), returns what is said of a run that was cancelled
 /// \throws std::invalid_argument if no face is left
@@ -42,7 +44,11 @@ template <class Run, class OfCancelled>
 auto OnCleanInput(const MeshView& view, const DecimationParameters& parameters, const Run& run,
                   const OfCancelled& cancelled)
 {
-    if (!parameters.cleanInput) return run(view, parameters);
+    if (!parameters.cleanInput) {
+        const SidedInput sided(
+            view, view, [](std::uint32_t face) { return face; }, parameters.threads);
+        return run(sided.View(), parameters);
+    }
     const bool isSoup = view.vertexCount > 2 * view.faceCount; // most corners have a vertex of their own
     const int cleaningEnds = isSoup ? 24 : 6;                  // percent of the time, roughly
     std::optional<CleanedInput> cleaned;
@@ -63,7 +69,9 @@ auto OnCleanInput(const MeshView& view, const DecimationParameters& parameters, 
         own.progress = [&](int percent, const char* stage) {
             return parameters.progress(cleaningEnds + percent * (100 - cleaningEnds) / 100, stage);
         };
-    auto result = run(clean.View(), own);
+    const SidedInput sided(
+        view, clean.View(), [&](std::uint32_t face) { return clean.FaceOrigin(face); }, parameters.threads);
+    auto result = run(sided.View(), own);
     NameAsInput(view, clean, result);
     return result;
 }

@@ -26,7 +26,8 @@ enum class Effort {
 /// Collapse algorithm.
 enum class Order {
     Sweeps, ///< the parallel engine on arrays
-    Strict  ///< VCG's queue (LocalOptimization), one thread
+    Strict  ///< the cheapest collapse each time: VCG's queue (LocalOptimization), or with attributes that of
+            ///< the engine; one thread
 };
 
 /// What becomes of seams: edges at which texture, material or color is cut.

@@ -10,10 +10,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..arrays import ArrayOptions, Simplified
-from ..attributes import Array, Attributes, Kind
+from ..attributes import Array, Attributes, Kind, is_normal, kind_of
 
 Arrays: TypeAlias = tuple[Any, Any]
-_NORMALS = {"normals", "normal", "pointnormals", "cellnormals"}
 
 
 @dataclass(frozen=True)
@@ -68,42 +67,27 @@ def attributes_of(
     told: dict[str, Kind] = dict(kinds or {})
     for arrays, most in ((vertex, 2), (corner or {}, 3)):
         for name, values in arrays.items():
-            finite = values.dtype.kind != "f" or bool(np.isfinite(values).all())
-            if values.ndim > most or not finite:
+            columns_of = values.shape[-1] if values.ndim == most else 1
+            is_kept = values.dtype.kind != "f" or bool(np.isfinite(values).all())
+            is_kept |= values.ndim == most and kind_of(name, values, columns_of) == "normal"
+            if values.ndim > most or not is_kept:
                 told[name] = "origin"
     return Attributes(dict(vertex), dict(corner or {}), labels, told)
 
 
-def is_normal(name: str) -> bool:
-    """Whether it names normals."""
-    return name.lower() in _NORMALS
-
-
 def columns(data: Any) -> dict[str, Array]:
-    """Named columns without normals."""
-    return {name: np.asarray(data[name]) for name in data.keys() if not is_normal(name)}  # noqa: SIM118
+    """Named columns."""
+    return {name: np.asarray(data[name]) for name in data.keys()}  # noqa: SIM118
 
 
-def taken(data: Any, origin: Array) -> dict[str, Array]:
-    """The rows of named columns that remain, without normals."""
-    return {name: values[origin] for name, values in columns(data).items()}
-
-
-def normals_like(data: Any, result: Simplified, *, at_faces: bool = False) -> dict[str, Array]:
-    """Normals under the names and of the types of those in the data, computed anew: of faces, or of vertices, weighted
-    by area. Vertices that were split have the same."""
-    names = [name for name in data.keys() if is_normal(name) and np.asarray(data[name]).ndim == 2]  # noqa: SIM118
-    if not names:
-        return {}
-    corners = result.vertices[result.faces].astype(np.float64)
-    normals: Array = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    if not at_faces:
-        _, place = np.unique(result.vertex_origin, return_inverse=True)
-        at = place.reshape(-1)[result.faces.astype(np.intp)].ravel()
-        weights = np.repeat(normals, 3, axis=0)
-        count = len(result.vertices)
-        sums = [np.bincount(at, weights[:, k], minlength=count) for k in range(3)]
-        normals = np.stack(sums, axis=1)[place.reshape(-1)]
-    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    unit = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
-    return {name: unit.astype(np.asarray(data[name]).dtype) for name in names}
+def of_faces(data: Any, result: Simplified) -> dict[str, Array]:
+    """The rows of named columns that remain. Normals are computed anew."""
+    taken = {name: values[result.face_origin] for name, values in columns(data).items()}
+    names = [name for name, values in taken.items() if is_normal(name) and values.ndim == 2]
+    if names:
+        corners = result.vertices[result.faces].astype(np.float64)
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+        unit = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
+        taken |= {name: unit.astype(taken[name].dtype) for name in names}
+    return taken

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arrays import Simplified
 from ..attributes import Array, Attributes
-from .library import Arrays, Library, attributes_of, columns, normals_like, require_triangles
+from .library import Arrays, Library, attributes_of, columns, require_triangles
 
 
 def _read(mesh: Any) -> Arrays:
@@ -39,7 +39,7 @@ def _build(mesh: Any, result: Simplified) -> Any:
     return sys.modules["meshio"].Mesh(
         result.vertices,
         [("triangle", result.faces[part]) for part in parts],
-        point_data={**result.vertex_attributes, **normals_like(mesh.point_data, result)},
+        point_data=result.vertex_attributes,
         cell_data={name: of_blocks(blocks, lambda old, at: old[at]) for name, blocks in mesh.cell_data.items()},
         field_data=dict(mesh.field_data),
         point_sets={name: members(old, result.vertex_origin) for name, old in mesh.point_sets.items()},

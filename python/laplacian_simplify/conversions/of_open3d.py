@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Simplified
-from ..attributes import Array, Attributes
+from ..attributes import Array, Attributes, Kind
 from .library import Arrays, Library, attributes_of, require_triangles
 
 
@@ -18,6 +18,8 @@ def _read(mesh: Any) -> Arrays:
 
 def _attributes(mesh: Any) -> Attributes:
     vertex = {"vertex_colors": np.asarray(mesh.vertex_colors)} if mesh.has_vertex_colors() else {}
+    if mesh.has_vertex_normals():
+        vertex["vertex_normals"] = np.asarray(mesh.vertex_normals)
     corner = {"triangle_uvs": np.asarray(mesh.triangle_uvs).reshape(-1, 3, 2)} if mesh.has_triangle_uvs() else {}
     labels = np.asarray(mesh.triangle_material_ids) if mesh.has_triangle_material_ids() else None
     return attributes_of(vertex, corner, labels)
@@ -37,8 +39,8 @@ def _build(mesh: Any, result: Simplified) -> Any:
         small.textures = mesh.textures
     if mesh.has_triangle_normals():
         small.compute_triangle_normals()
-    if mesh.has_vertex_normals():
-        small.compute_vertex_normals()
+    if "vertex_normals" in result.vertex_attributes:
+        small.vertex_normals = vectors.Vector3dVector(result.vertex_attributes["vertex_normals"])
     return small
 
 
@@ -47,16 +49,18 @@ def _read_tensors(mesh: Any) -> Arrays:
     return mesh.vertex.positions.cpu().numpy(), mesh.triangle.indices.cpu().numpy()
 
 
-def _stored(data: Any, place: str) -> dict[str, Array]:
-    return {name: values.cpu().numpy() for name, values in data.items() if name not in (place, "normals")}
+def _stored(data: Any, *others: str) -> dict[str, Array]:
+    return {name: values.cpu().numpy() for name, values in data.items() if name not in others}
 
 
 def _tensor_attributes(mesh: Any) -> Attributes:
-    triangle = _stored(mesh.triangle, "indices")
+    triangle = _stored(mesh.triangle, "indices", "normals")
     corner = {"texture_uvs": triangle["texture_uvs"]} if "texture_uvs" in triangle else {}
     materials = triangle.get("material_ids")
     vertex = {_at_vertices(name): values for name, values in _stored(mesh.vertex, "positions").items()}
-    return attributes_of(vertex, corner, None if materials is None else materials.reshape(-1))
+    labels = None if materials is None else materials.reshape(-1)
+    kinds: dict[str, Kind] = {_at_vertices("normals"): "normal"} if "normals" in mesh.vertex else {}
+    return attributes_of(vertex, corner, labels, kinds)
 
 
 def _at_vertices(name: str) -> str:
@@ -74,14 +78,12 @@ def _build_tensors(mesh: Any, result: Simplified) -> Any:
     small = open3d.t.geometry.TriangleMesh(tensor(result.vertices), tensor(result.faces))
     for name in _stored(mesh.vertex, "positions"):
         small.vertex[name] = tensor(result.vertex_attributes[_at_vertices(name)])
-    for name, values in _stored(mesh.triangle, "indices").items():
+    for name, values in _stored(mesh.triangle, "indices", "normals").items():
         small.triangle[name] = tensor(result.corner_attributes.get(name, values[result.face_origin]))
     if mesh.has_valid_material():
         small.material = mesh.material
     if "normals" in mesh.triangle:
         small.compute_triangle_normals()
-    if "normals" in mesh.vertex:
-        small.compute_vertex_normals()
     return small
 
 

@@ -25,7 +25,7 @@ def _complete(mesh: Any, options: ArrayOptions, quality: bool) -> ArrayOptions:
 
 
 def _attributes(mesh: Any) -> Attributes:
-    vertex: dict[str, Array] = {}
+    vertex: dict[str, Array] = {}  # normals are computed from the faces: they say nothing of hard edges
     corner: dict[str, Array] = {}
     labels = None
     if mesh.has_vertex_scalar():

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Simplified
 from ..attributes import Attributes, Kind
-from .library import Arrays, Library, attributes_of, columns, normals_like, require_triangles, taken
+from .library import Arrays, Library, attributes_of, columns, of_faces, require_triangles
 
 
 def _read_pyvista(mesh: Any) -> Arrays:
@@ -29,7 +29,7 @@ def _pyvista_attributes(mesh: Any) -> Attributes:
 
 def _build_pyvista(mesh: Any, result: Simplified) -> Any:
     small = sys.modules["pyvista"].PolyData.from_regular_faces(result.vertices, result.faces)
-    _fill(small.point_data, mesh.point_data, small.cell_data, mesh.cell_data, result)
+    _fill(small.point_data, small.cell_data, mesh.cell_data, result)
     texture = mesh.point_data.active_texture_coordinates_name
     if texture in small.point_data:
         small.point_data.active_texture_coordinates_name = texture
@@ -38,10 +38,8 @@ def _build_pyvista(mesh: Any, result: Simplified) -> Any:
     return small
 
 
-def _fill(points: Any, old_points: Any, cells: Any, old_cells: Any, result: Simplified) -> None:
-    at_points = {**result.vertex_attributes, **normals_like(old_points, result)}
-    at_cells = {**taken(old_cells, result.face_origin), **normals_like(old_cells, result, at_faces=True)}
-    for target, values in ((points, at_points), (cells, at_cells)):
+def _fill(points: Any, cells: Any, old_cells: Any, result: Simplified) -> None:
+    for target, values in ((points, result.vertex_attributes), (cells, of_faces(old_cells, result))):
         for name, array in values.items():
             target[name] = array
 
@@ -58,7 +56,7 @@ def _vedo_attributes(mesh: Any) -> Attributes:
 
 def _build_vedo(mesh: Any, result: Simplified) -> Any:
     small = sys.modules["vedo"].Mesh([result.vertices, result.faces])
-    _fill(small.pointdata, mesh.pointdata, small.celldata, mesh.celldata, result)
+    _fill(small.pointdata, small.celldata, mesh.celldata, result)
     return small
 
 

@@ -10,9 +10,10 @@ import numpy as np
 from ..arrays import Simplified
 from ..attributes import Array, Attributes
 from .face_colors import face_colors, label_or_spread
-from .library import Arrays, Library, attributes_of, columns, normals_like, taken
+from .library import Arrays, Library, attributes_of, columns, of_faces
 
 _COLORS = "visual.vertex_colors"
+_NORMALS = "mesh.vertex_normals"
 _TEXTURE = "visual."
 """Before the names of what belongs to the texture."""
 
@@ -23,6 +24,7 @@ def _read(mesh: Any) -> Arrays:
 
 def _attributes(mesh: Any) -> Attributes:
     vertex = columns(mesh.vertex_attributes)
+    vertex |= _of_normals(mesh)
     visual, labels = mesh.visual, None
     if visual.kind == "texture":
         vertex |= {_TEXTURE + name: values for name, values in _of_texture(visual).items()}
@@ -33,7 +35,14 @@ def _attributes(mesh: Any) -> Attributes:
     elif visual.kind == "face":
         labels, spread = label_or_spread(mesh.vertices, mesh.faces, np.asarray(visual.face_colors))
         vertex |= spread
-    return attributes_of(vertex, labels=labels)
+    return attributes_of(vertex, labels=labels, kinds=dict.fromkeys(_of_normals(mesh), "normal"))
+
+
+def _of_normals(mesh: Any) -> dict[str, Array]:
+    """Those that a file had, or that somebody has asked for: others are computed when they are asked for."""
+    cache = getattr(mesh, "_cache", {})  # to ask it drops what is no longer true
+    normals = np.asarray(cache["vertex_normals"]) if "vertex_normals" in cache else np.empty(0)
+    return {_NORMALS: normals} if normals.shape == np.shape(mesh.vertices) else {}
 
 
 def _of_texture(visual: Any) -> dict[str, Array]:
@@ -49,14 +58,9 @@ def _build(mesh: Any, result: Simplified) -> Any:
     return trimesh.Trimesh(
         result.vertices,
         result.faces,
-        vertex_attributes={
-            **{name: result.vertex_attributes[name] for name in own},
-            **normals_like(mesh.vertex_attributes, result),
-        },
-        face_attributes={
-            **taken(mesh.face_attributes, result.face_origin),
-            **normals_like(mesh.face_attributes, result, at_faces=True),
-        },
+        vertex_normals=result.vertex_attributes.get(_NORMALS),
+        vertex_attributes={name: result.vertex_attributes[name] for name in own},
+        face_attributes=of_faces(mesh.face_attributes, result),
         metadata=dict(mesh.metadata),
         visual=_visual(mesh.visual, result),
         process=False,

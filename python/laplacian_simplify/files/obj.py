@@ -92,3 +92,17 @@ def _add_normals(data: MeshData, faces: Faces, normals: Floats) -> None:
         found: NDArray[np.float64] = normals[of_vertex]
         if np.isfinite(found).all():
             data.vertex_normals = found
+    elif hard := _vertices_on_hard_edges(faces, of_vertex, normals):
+        left_out = counted(hard, "vertex", "vertices")
+        data.notes.append(f"hard edges left out: MeshLab has one normal a vertex, and {left_out} have several")
+
+
+def _vertices_on_hard_edges(faces: Faces, of_vertex: Integers, normals: Floats) -> int:
+    """Vertices around which faces have normals that are more than 30 degrees apart."""
+    assert faces.normal is not None
+    given = (faces.normal >= 0) & (of_vertex[faces.vertex] >= 0)
+    vertex, one, other = faces.vertex[given], normals[faces.normal[given]], normals[of_vertex[faces.vertex[given]]]
+    with np.errstate(invalid="ignore"):
+        lengths = np.linalg.norm(one, axis=1) * np.linalg.norm(other, axis=1)
+        apart = (one * other).sum(axis=1) < np.cos(np.pi / 6) * lengths
+    return len(np.unique(vertex[apart]))

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..attributes import Attributes, Channels
 from ..library import MeshArrays, Outcome, run
+from ..small import Small
 from .array_file import Array
 
 _LEAST_SHARE = 50
@@ -82,7 +83,7 @@ def run_with_colors(
         old, faces = channels.split(faces, values, len(origin))
         origin = origin[old]
         outcome = replace(outcome, vertices=outcome.vertices[old], faces=faces, vertex_origin=origin)
-    results = channels.results(values, origin, outcome.face_origin, faces)
+    results = channels.results(values, origin, outcome.face_origin, Small(outcome.vertices, faces, None))
     return outcome, results["vertex_attributes"][_NAME]
 
 

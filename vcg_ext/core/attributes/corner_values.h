@@ -37,11 +37,12 @@ inline std::size_t CountTurnedFaces(const MeshView& view, const DecimatedMesh& m
     return turned;
 }
 
-/// The values of all corners, from those of the wedges.
+/// The values and sides of all corners, from those of the wedges.
 inline void WriteCornerValues(DecimatedMesh& mesh)
 {
     for (const auto& corners : mesh.wedges->ofFace)
         for (const std::uint32_t w : corners) {
+            if (!mesh.wedges->side.empty()) mesh.cornerSides.push_back(mesh.wedges->side[w]);
             const float* values = mesh.wedges->Values(w);
             mesh.cornerValues.insert(mesh.cornerValues.end(), values, values + mesh.wedges->channels.size());
         }

@@ -17,14 +17,17 @@ namespace vcg_ext
 
 /// What the collapses must know of the attributes.
 ///
-/// A wedge is a vertex together with one tuple of everything that its corners carry: label and channels. An
-/// edge is a seam where its two faces differ in the wedge at either end. Faces that are joined over edges
-/// that are no seams are a chart.
+/// A wedge is a vertex together with one tuple of everything that its corners carry: label, side and
+/// channels. An edge is a seam where its two faces differ in the wedge at either end. Faces that are joined
+/// over edges that are no seams are a chart.
 struct WedgeSet {
     Channels channels;
     WedgeLayout layout;
-    Buffer<float> records;                 ///< of the layout, one a wedge
-    Buffer<std::uint32_t> ofCorner;        ///< the wedge of corner k of face f at 3 f + k
+    Buffer<float> records;          ///< of the layout, one a wedge
+    Buffer<std::uint32_t> ofCorner; ///< the wedge of corner k of face f at 3 f + k
+    /// Of every wedge: those of a vertex with the same are on the same side of its hard edges. Empty where
+    /// the mesh has none.
+    Buffer<std::uint32_t> side;
     Buffer<std::uint32_t> chart;           ///< of every face; kNone once it is gone
     std::vector<std::uint32_t> chartFaces; ///< of every chart, as of the last count
     /// A face of every chart that no thread takes while others work, so that no chart is lost unseen; kNone

@@ -31,13 +31,15 @@ namespace vcg_ext
 ///     engine.Collapse(fewerFaces);                    // goes on where the last call stopped
 ///     CollapsedSurface last = std::move(engine).Extract();
 ///
-/// The result is bit-identical for any number of threads. Faces that name a vertex twice are left out unless
-/// all their vertices are fixed; vertices without faces are left out unless they are fixed. \pre the view
-/// outlives the object; coordinates are finite and indices are below vertexCount
+/// In order strict they are collapsed one by one: StrictOrder. The result is bit-identical for any number of
+/// threads. Faces that name a vertex twice are left out unless all their vertices are fixed; vertices without
+/// faces are left out unless they are fixed. \pre the view outlives the object; coordinates are finite and
+/// indices are below vertexCount
 class CollapseEngine
 {
     SweepState state_;
     int threads_;
+    Order order_;
     StageProgress progress_;
     std::optional<CollapseBound> bound_;
     std::optional<CollapseCrossings> crossings_;

@@ -24,6 +24,7 @@
 #include "vcg_ext/core/collapse/load_wedges.h"
 #include "vcg_ext/core/collapse/schedule.h"
 #include "vcg_ext/core/collapse/start_bound.h"
+#include "vcg_ext/core/collapse/strict_order.h"
 #include "vcg_ext/core/mesh/decimated_mesh.h"
 #include "vcg_ext/core/parameters.h"
 #include "vcg_ext/core/mesh/surface.h"
@@ -36,7 +37,7 @@ constexpr int kReadingEnds = 20;
 
 VCG_EXT_INLINE CollapseEngine::CollapseEngine(const MeshView& view, const DecimationParameters& parameters,
                                               KeptForLater kept, StageProgress progress)
-    : threads_(ResolveThreads(parameters.threads)), progress_(std::move(progress)),
+    : threads_(ResolveThreads(parameters.threads)), order_(parameters.order), progress_(std::move(progress)),
       schedule_(Start(view, parameters, kept), threads_, parameters.costLimit)
 {
 }
@@ -82,7 +83,8 @@ VCG_EXT_INLINE StopReason CollapseEngine::Collapse(std::size_t targetFaces)
         constexpr int kLoops = 2; // of a sweep that take their time
         progress_(percent(way), "Collapsing edges", percent(std::min(1.0, way + kOfLast * step)), kLoops);
     };
-    surface_.stopReason = schedule_.Run(targetFaces, report);
+    surface_.stopReason = order_ == Order::Strict ? StrictOrder(state_).Run(targetFaces, report)
+                                                  : schedule_.Run(targetFaces, report);
     surface_.trace = {schedule_.Steps(), static_cast<double>(state_.descriptorScale)};
     return surface_.stopReason;
 }

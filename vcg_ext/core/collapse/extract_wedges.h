@@ -39,6 +39,7 @@ inline SurfaceWedges ExtractWedges(const SweepState& state, const WedgeSet& set)
             const std::uint32_t id = set.ofCorner[3 * f + k];
             if (place[id] == kNone) {
                 place[id] = static_cast<std::uint32_t>(wedges.count++);
+                if (!set.side.empty()) wedges.side.push_back(set.side[id]);
                 const float* record = set.Values(id);
                 wedges.values.insert(wedges.values.end(), record, record + channels);
                 if (quadrics) {

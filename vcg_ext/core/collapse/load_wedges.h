@@ -56,8 +56,12 @@ class WedgeLoader
     bool AreSame(Corner a, Corner b) const
     {
         const float *x = Input(a), *y = Input(b);
-        return std::equal(x, x + input_.Channels(), y) &&
+        return std::equal(x, x + input_.Channels(), y) && Side(a) == Side(b) &&
                input_.Label(state_.faces[FaceOf(a)].origin) == input_.Label(state_.faces[FaceOf(b)].origin);
+    }
+    std::uint32_t Side(Corner corner) const
+    {
+        return input_.Side(state_.faces[FaceOf(corner)].origin, static_cast<std::size_t>(IndexOf(corner)));
     }
 
     /// Wedges of a vertex follow each other, in the order of its corners.
@@ -75,6 +79,7 @@ class WedgeLoader
         for (std::uint32_t v = 0; v < vertices; ++v) count += std::exchange(firstWedge_[v], count);
         firstWedge_[vertices] = count;
         set_.records.Allocate(count * set_.layout.RecordSize());
+        if (input_.sides != nullptr) set_.side.Allocate(count);
         ParallelRanges(threads_, vertices, kGrain, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t v = begin; v < end; ++v) FillWedges(static_cast<std::uint32_t>(v));
         });
@@ -103,6 +108,7 @@ class WedgeLoader
             float* record = set_.Values(wedge);
             std::fill(record, record + set_.layout.RecordSize(), 0.0f);
             std::copy_n(Input(list[i]), input_.Channels(), record);
+            if (!set_.side.empty()) set_.side[wedge] = Side(list[i]);
         }
     }
 

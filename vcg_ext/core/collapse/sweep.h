@@ -10,6 +10,7 @@
 
 #include "vcg_ext/core/base/parallel.h"
 #include "vcg_ext/core/collapse/collapse_vertex.h"
+#include "vcg_ext/core/collapse/corner_lists.h"
 
 namespace vcg_ext
 {
@@ -25,7 +26,6 @@ class SweepRunner
 {
     static constexpr std::size_t kVerticesPerBlock = 8192;
     static constexpr std::size_t kMinBlocksToShift = 5;
-    static constexpr std::size_t kGrain = 8192;
     static constexpr std::size_t kNoQuota = std::numeric_limits<std::size_t>::max();
 
     SweepState& state_;
@@ -50,7 +50,10 @@ class SweepRunner
     /// \return the number of faces that died
     std::size_t Sweep(const SweepStep& step, std::size_t target)
     {
-        if (!listsAreCompact_) CompactCornerLists();
+        if (!listsAreCompact_) {
+            poolEnd_ = CompactCornerLists(state_, threads_);
+            for (Workspace& workspace : workspaces_) workspace.arena.Reset();
+        }
         listsAreCompact_ = false;
         if (state_.bound) ++state_.bound->sweep;
         if (state_.crossings) state_.crossings->isOpen = false;
@@ -214,38 +217,6 @@ class SweepRunner
         if (step.everything || before - visitor.Died() <= target + few)
             for (std::uint32_t v = 0; v < all.end && before - visitor.Died() > target; ++v) visit(v);
         state_.aliveFaces = before - visitor.Died();
-    }
-
-    /// Copies the lists to one pool in vertex order, so that reading them is coherent again, and forgets who
-    /// merged.
-    void CompactCornerLists()
-    {
-        const std::size_t count = state_.VertexCount();
-        const std::size_t ranges = (count + kGrain - 1) / kGrain;
-        std::vector<std::uint32_t> begin(ranges + 1, 0);
-        ParallelRanges(threads_, count, kGrain, [&](std::size_t first, std::size_t last, int) {
-            std::uint32_t total = 0;
-            for (std::size_t v = first; v < last; ++v) total += state_.cornerCount[v];
-            begin[first / kGrain + 1] = total;
-        });
-        for (std::size_t range = 0; range < ranges; ++range) begin[range + 1] += begin[range];
-        const std::size_t wanted = CornerArena::PoolSize(begin[ranges], threads_);
-        if (state_.spareCorners.size() < wanted) state_.spareCorners.Allocate(wanted);
-        ParallelRanges(threads_, count, kGrain, [&](std::size_t first, std::size_t last, int) {
-            std::uint32_t place = begin[first / kGrain];
-            for (std::size_t v = first; v < last; ++v) {
-                const Corner* list = state_.CornersOf(static_cast<std::uint32_t>(v));
-                std::copy(list, list + state_.cornerCount[v], state_.spareCorners.begin() + place);
-                state_.cornerOffset[v] = place;
-                place += state_.cornerCount[v];
-                state_.flags[v] = static_cast<std::uint8_t>(state_.flags[v] & ~kMergedVertex);
-            }
-        });
-        std::swap(state_.corners, state_.spareCorners);
-        if (state_.keepOriginal && state_.originalCorners.empty())
-            state_.originalCorners = std::move(state_.spareCorners);
-        poolEnd_ = begin[ranges];
-        for (Workspace& workspace : workspaces_) workspace.arena.Reset();
     }
 };
 

@@ -40,6 +40,7 @@ class WedgeWriter
             for (const std::uint32_t face : scratch_.deadFace) AddSeamPlanes(state_, set_, face, -1);
         }
         MoveQuadrics(placement);
+        if (!set_.side.empty()) JoinSides();
         RenameWedges();
     }
 
@@ -100,6 +101,17 @@ class WedgeWriter
             float* record = set_.Values(scratch_.wedge[i]);
             std::copy_n(value, channels, record);
             std::copy_n(scratch_.quadric.data(), quadricSize, record + channels);
+        }
+    }
+
+    /// Where wedges become one, so do their sides, with all of both vertices that are on them.
+    void JoinSides()
+    {
+        for (std::size_t i = 0; i < scratch_.wedge.size(); ++i) {
+            const std::uint32_t own = set_.side[scratch_.wedge[i]];
+            const std::uint32_t of = set_.side[scratch_.wedge[scratch_.group[i]]];
+            for (const std::uint32_t id : scratch_.wedge)
+                if (set_.side[id] == own) set_.side[id] = of;
         }
     }
 

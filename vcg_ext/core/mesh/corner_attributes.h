@@ -22,6 +22,9 @@ struct CornerAttributes {
     const float* values = nullptr;  ///< kinds.size() numbers a corner, three corners a face; may be null
     std::vector<ChannelKind> kinds; ///< one a channel
     const std::int32_t* labels = nullptr; ///< one a face: material, texture, part, ...; may be null
+    /// One a corner: corners of a vertex with different ones are on different sides of a seam, whatever else
+    /// they carry; may be null.
+    const std::uint32_t* sides = nullptr;
 
     std::size_t Channels() const { return kinds.size(); }
     const float* Corner(std::size_t face, std::size_t corner) const
@@ -29,6 +32,10 @@ struct CornerAttributes {
         return values + (3 * face + corner) * kinds.size();
     }
     std::int32_t Label(std::size_t face) const { return labels != nullptr ? labels[face] : 0; }
+    std::uint32_t Side(std::size_t face, std::size_t corner) const
+    {
+        return sides != nullptr ? sides[3 * face + corner] : 0;
+    }
 };
 
 /// Faces with a value that is not a finite number.

@@ -26,6 +26,9 @@ struct DecimatedMesh {
     /// What MeshView::attributes have become: as many numbers a corner, three corners a face. Empty where the
     /// mesh had none.
     std::vector<float> cornerValues;
+    /// One a corner: those of a vertex that have the same are shaded as one surface. Empty where the mesh has
+    /// no hard edges.
+    std::vector<std::uint32_t> cornerSides;
     std::optional<SurfaceWedges> wedges; ///< while the mesh is being made
     StopReason stopReason = StopReason::Target;
 };

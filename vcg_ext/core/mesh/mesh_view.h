@@ -34,6 +34,10 @@ struct MeshView {
     const std::uint8_t* fauxEdges = nullptr; ///< one byte a face, bit k: the edge from its vertex k to k + 1
                                              ///< is a polygon's diagonal; may be null
     const CornerAttributes* attributes = nullptr; ///< that guide and are transferred; may be null
+    /// Normals that the surface is shaded with, three numbers a vertex, or three a corner, which count more;
+    /// may be null. They guide nothing, but seams run where they are apart: mesh/hard_normals.h.
+    const float* vertexNormals = nullptr;
+    const float* cornerNormals = nullptr;
 
     const unsigned char* PositionAddress(std::size_t vertex) const
     {

@@ -25,6 +25,8 @@ struct SurfaceWedges {
     std::vector<std::uint32_t> chart;                 ///< of every face
     std::vector<std::uint32_t> inputChart; ///< of every face of the input; kNone where it was left out
 
+    std::vector<std::uint32_t> side; ///< of every wedge, as WedgeSet::side; empty where there are none
+
     /// Of every wedge the quadric of its attributes (attributes/wedge_quadric.h), and where it is centered;
     /// empty where no move has to ask for them.
     std::vector<float> quadrics;
