@@ -257,7 +257,7 @@ class Channels:
     def _compute_normals(
         self, normals: Array, faces: Array, vertex: dict[str, Array], corner: dict[str, Array]
     ) -> None:
-        found = normals.any(axis=2)  # what has no area keeps its own, and so do vertices without faces
+        found = (normals != 0).any(-1)  # what has no area keeps its own, and so do vertices without faces
         for name, at_corners in self._normals.items():
             if at_corners:
                 corner[name] = np.where(found[..., None], normals.astype(corner[name].dtype), corner[name])
