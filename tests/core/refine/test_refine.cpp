@@ -344,10 +344,10 @@ void TestRefine::progressCanStopIt()
     parameters.progress = vcg_ext::StageProgress([&](int percent, const char*) {
         const bool ascending = percent > last && percent <= 100;
         last = percent;
-        return ascending && percent < 40;
+        return ascending && percent < 32;
     });
     QVERIFY_EXCEPTION_THROWN(Refine(pair, parameters), vcg_ext::Cancelled);
-    QCOMPARE(last, 40); // before the first move
+    QCOMPARE(last, 32); // before the first move
     QCOMPARE(pair.simplified.points[0].x, before);
     QVERIFY(CornersAreConsistent(pair.simplified));
 }

@@ -85,9 +85,10 @@ class TestRenewedOrigins : public QObject
         const Farthest best = FarthestOrigins(mesh, result);
         QVERIFY(AscendsStrictly(result.vertexOrigin));
         QVERIFY(AscendsStrictly(result.faceOrigin));
-        // Collapses carry vertices along, too; the sheet is 14 from corner to corner.
-        QVERIFY(best.vertices < 1.5 * balanced.vertices);
-        QVERIFY(best.faces < 1.5 * balanced.faces);
+        // Collapses carry vertices along, too, not always as far; the sheet is 14 from corner to corner, and
+        // an origin anywhere on it would be up to that far.
+        QVERIFY(best.vertices < 2 * balanced.vertices);
+        QVERIFY(best.faces < 2 * balanced.faces);
     }
 
     void whereNothingIsFreeNearbyAnythingElseIsTaken()
