@@ -112,7 +112,9 @@ def _mounted(folder: Path, *options: str) -> Iterator[None]:
         ["mount", "-t", "tmpfs", "-o", ",".join(options), "tmpfs", folder], capture_output=True, check=False
     )
     if mounted.returncode:
-        pytest.skip("mounting a disk is not allowed here; test_output.py has tests that need none")
+        pytest.skip(
+            "mounting a disk is not allowed here; test_full_disk_keeps_the_old_file in test_output.py needs none"
+        )
     try:
         yield
     finally:

@@ -63,9 +63,9 @@ class SideFinder
         for (std::uint32_t i = 0; i < corners_.size(); ++i) corners_[begin_[view.triangles[i] + 1]++] = i;
     }
 
-    /// Of every corner the first one on its side; empty where all are on one side. So it is, too, where faces
-    /// are shaded one by one, which says nothing of the surface: a fifth of all edges would be hard, or at
-    /// more than half of the vertices normals differ where they are smooth.
+    /// Of every corner the first one on its side; empty where all are on one side, or where faces are shaded
+    /// one by one, which says nothing of the surface: a fifth of all edges would be hard, or normals differ
+    /// by a little on one side at more than half of the vertices.
     std::vector<std::uint32_t> Find(int threads)
     {
         constexpr std::size_t kFifth = 5;
